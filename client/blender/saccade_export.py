@@ -247,6 +247,13 @@ def lamp_corners(lamp):
     return [(x * math.cos(a), y * math.sin(a), 0) for a in angles]
 
 
+def lamp_power(lamp, area):
+    """The power of an area lamp in its three colours. Blender 4.5 and later have more than energy and colour."""
+    warmth = lamp.temperature_color if getattr(lamp, "use_temperature", False) else (1, 1, 1)
+    scale = lamp.energy * 2 ** getattr(lamp, "exposure", 0) * (1 if getattr(lamp, "normalize", True) else area)
+    return [scale * part * warm for part, warm in zip(lamp.color, warmth)]
+
+
 def emission(name, color):
     """A black material that emits this radiance from its front."""
     material = bpy.data.materials.new(name)
@@ -273,17 +280,17 @@ def area_lamps_as_shapes(context, items):
     try:
         for item in items:
             lamp, name = item.data, item.name
-            color = [lamp.energy * part for part in lamp.color]
             mesh = bpy.data.meshes.new(name)
             corners = lamp_corners(lamp)
             mesh.from_pydata(corners, [], [range(len(corners))])
             mesh.update()
             matrix = item.matrix_world.copy()
             area = mesh.polygons[0].area * matrix.col[0].length * matrix.col[1].length
-            if max(color) <= 0 or area <= 0:
+            power = lamp_power(lamp, area)
+            if max(power) <= 0 or area <= 0:
                 bpy.data.meshes.remove(mesh)
                 continue
-            material = emission(name, [part / (4 * area) for part in color])
+            material = emission(name, [part / (4 * area) for part in power])
             mesh.materials.append(material)
             item.name = name + ".lamp"
             shape = bpy.data.objects.new(name, mesh)

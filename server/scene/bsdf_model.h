@@ -18,7 +18,9 @@ enum class BsdfKind {
   kThinDielectric,  // a pane: both its surfaces at once, nothing is bent
   kRoughDielectric,
   kMetallicRoughness,  // the material of glTF 2.0: a diffuse base under a rough interface, or a metal
-  kCount,              // how many kinds there are; no kind
+  kPhong,              // a diffuse base and a lobe of gloss, as in Mitsuba 0.6
+  kWard,
+  kCount,  // how many kinds there are; no kind
 };
 inline constexpr auto kBsdfKindCount = static_cast<std::size_t>(BsdfKind::kCount);
 
@@ -51,6 +53,8 @@ inline constexpr BsdfTraits kBsdfTraits[] = {
      .transmits = true,
      .transmits_rough = true},
     {.kind = BsdfKind::kMetallicRoughness, .name = "metallicroughness", .base = true},
+    {.kind = BsdfKind::kPhong, .name = "phong", .base = true},
+    {.kind = BsdfKind::kWard, .name = "ward", .base = true},
 };
 static_assert(std::size(kBsdfTraits) == kBsdfKindCount, "each kind has a row");
 static_assert(
@@ -72,9 +76,11 @@ struct BsdfModel {
   BsdfKind kind = BsdfKind::kDiffuse;
   MicrofacetKind microfacets = MicrofacetKind::kBeckmann;  // rough kinds
   float alpha = 0.1f;            // rough kinds: roughness, in (0, 1]; below 1e-4 counts as 1e-4
-  float ior = 1.5f;              // all but metals: index of refraction, inside over outside, > 0
+  float ior = 1.5f;              // with an interface: index of refraction, inside over outside, > 0
   Rgb eta{0, 0, 0}, k{1, 1, 1};  // conductors: the index eta + ik over the outside's; default: reflects all
   bool nonlinear = false;        // plastics: light that is scattered inside takes on more of the colour
+  bool scatters_once = false;    // plastics: light that the interface sends back to the base is lost
+  float coat_ior = 0;            // smooth conductors: of a dielectric layer on them; 0: none
 };
 
 }  // namespace saccade

@@ -26,12 +26,13 @@ inline constexpr int kKeepsForm = -1;  // instead of the number of a deformation
 struct Mesh {
   std::string name;  // its id; without one, that of the file without folder and extension, or its type
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;     // per vertex, unit; empty: flat
-  std::vector<Vec2> uvs;         // per vertex; empty: none
+  std::vector<Vec3> normals;          // per vertex, unit; empty: flat
+  std::vector<Vec2> uvs;              // per vertex; empty: none
+  std::vector<Vec2> second_uvs = {};  // per vertex, for textures that have it; empty: none
   std::vector<Rgb> colors = {};  // per vertex: factors in [0, 1] of the base colour of metallic-roughness
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int material = 0;
-  Rgb radiance;             // emitted on the side of the geometric normal (counter-clockwise front); 0: none
+  Rgb radiance;  // mean, emitted on the side of the geometric normal (counter-clockwise front); 0: none
   Strength strength = {};   // of radiance, over time
   std::string unread = {};  // a sentence on what its file says and the picture does not show; empty: nothing
   int body = kStands;       // of Scene::bodies

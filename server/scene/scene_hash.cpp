@@ -9,17 +9,21 @@ void add(ContentHash& h, const SurfaceColor& c) {
   h.add(static_cast<int>(c.kind)), h.add(c.color0), h.add(c.color1), h.add(c.texture), h.add(c.uv_scale),
       h.add(c.uv_offset);
   if (c.uv_cross.x != 0 || c.uv_cross.y != 0) h.add(c.uv_cross);
+  if (c.second_uvs) h.add(1);
 }
 
 void add(ContentHash& h, const BsdfModel& m) {
   h.add(static_cast<int>(m.kind)), h.add(static_cast<int>(m.microfacets)), h.add(m.alpha), h.add(m.ior);
   h.add(m.eta), h.add(m.k), h.add(static_cast<int>(m.nonlinear));
+  if (m.scatters_once) h.add(1);
+  if (m.coat_ior != 0) h.add(m.coat_ior);
 }
 
 // A diffuse material adds only its reflectance, so that older cached references stay valid.
 void add(ContentHash& h, const Material& m) {
   add(h, m.reflectance);
   h.add(static_cast<int>(m.twosided));
+  if (isTextured(m.emission)) add(h, m.emission);
   if (m.model.kind == BsdfKind::kDiffuse && isOpaque(m) && !isBumpy(m)) return;
   add(h, m.model);
   for (const SurfaceColor* c : {&m.specular, &m.transmittance, &m.opacity, &m.height}) add(h, *c);
@@ -64,7 +68,7 @@ std::uint64_t hashScene(const Scene& scene) {
   ContentHash h;
   for (const Mesh& m : scene.meshes)
     h.add(m.positions), h.add(m.normals), h.add(m.uvs), h.add(m.triangles), h.add(m.material),
-        h.add(m.radiance), h.add(m.colors);
+        h.add(m.radiance), h.add(m.colors), h.add(m.second_uvs);
   for (const Sphere& s : scene.spheres)
     h.add(s.center), h.add(s.radius), h.add(s.material), h.add(s.radiance);
   for (const Material& m : scene.materials) add(h, m);

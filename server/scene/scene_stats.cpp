@@ -26,7 +26,7 @@ std::size_t bytesOfDeformations(const Scene& scene) {
 void addMesh(const Mesh& mesh, SceneStats& stats) {
   stats.triangles += mesh.triangles.size();
   stats.geometry_bytes += bytesOf(mesh.positions) + bytesOf(mesh.normals) + bytesOf(mesh.uvs) +
-                          bytesOf(mesh.colors) + bytesOf(mesh.triangles);
+                          bytesOf(mesh.second_uvs) + bytesOf(mesh.colors) + bytesOf(mesh.triangles);
   if (mesh.radiance != Rgb{}) ++stats.area_lights;
 }
 

@@ -71,14 +71,31 @@ inline std::vector<BsdfCase> metallicRoughnessCases(std::vector<float> roughness
   return cases;
 }
 
+// Phong and Ward, with a base that the gloss leaves alone, and one that it takes light from.
+inline std::vector<BsdfCase> glossCases(std::vector<float> alphas) {
+  std::vector<BsdfCase> cases;
+  for (const float alpha : alphas)
+    for (const BsdfKind kind : {BsdfKind::kPhong, BsdfKind::kWard}) {
+      const BsdfModel model = roughModel(kind, MicrofacetKind::kBeckmann, alpha);
+      const std::string name = traitsOf(kind).name + (" " + std::to_string(alpha));
+      cases.push_back({name, BsdfTables(model), {0.5f, 0.3f, 0.1f}, {0.3f, 0.4f, 0.5f}});
+      cases.push_back({"bright " + name, BsdfTables(model), {0.9f, 0.8f, 0.7f}, {0.5f, 0.5f, 0.9f}});
+    }
+  return cases;
+}
+
 inline std::vector<BsdfCase> smoothCases() {
-  BsdfModel metal = modelOf(BsdfKind::kConductor), nonlinear = modelOf(BsdfKind::kPlastic);
+  BsdfModel metal = modelOf(BsdfKind::kConductor), nonlinear = modelOf(BsdfKind::kPlastic), coat = nonlinear;
   metal.eta = {0.2f, 0.92f, 1.1f}, metal.k = {3.9f, 2.45f, 2.14f};
-  nonlinear.nonlinear = true;
+  nonlinear.nonlinear = coat.scatters_once = true;
+  BsdfModel coated = metal;
+  coated.coat_ior = 1.5f;
   return {{"diffuse", BsdfTables(modelOf(BsdfKind::kDiffuse)), {0.8f, 0.4f, 0.1f}},
           {"plastic", BsdfTables(modelOf(BsdfKind::kPlastic)), {0.8f, 0.4f, 0.1f}, {0.5f, 0.6f, 0.7f}},
           {"nonlinear plastic", BsdfTables(nonlinear), {0.8f, 0.4f, 0.1f}},
+          {"coat over diffuse", BsdfTables(coat), {0.8f, 0.4f, 0.1f}},
           {"copper", BsdfTables(metal), {}, {0.9f, 0.8f, 0.7f}},
+          {"coat over copper", BsdfTables(coated), {}, {0.9f, 0.8f, 0.7f}},
           {"dielectric", BsdfTables(modelOf(BsdfKind::kDielectric)), {}, {0.5f, 0.6f, 0.7f}, {0.9f, 0.8f, 0}},
           {"pane", BsdfTables(modelOf(BsdfKind::kThinDielectric)), {}, {0.5f, 0.6f, 0.7f}, {0.9f, 0.8f, 0}}};
 }

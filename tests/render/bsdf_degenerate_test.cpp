@@ -25,6 +25,7 @@ std::vector<test::BsdfCase> cases() {
   std::vector<test::BsdfCase> all = test::smoothCases();
   for (test::BsdfCase& c : test::roughCases({0.f, 1e-3f, 1.f})) all.push_back(std::move(c));
   for (test::BsdfCase& c : test::metallicRoughnessCases({0.f, 0.03f, 1.f})) all.push_back(std::move(c));
+  for (test::BsdfCase& c : test::glossCases({0.f, 1e-3f, 1.f})) all.push_back(std::move(c));
   all.push_back(test::metallicRoughness({0.5f, 0.5f, 0.5f}, 0.5f, 0, 1));
   all.push_back(test::metallicRoughness({}, 0.5f, 1));
   for (const BsdfKind kind : {BsdfKind::kDielectric, BsdfKind::kThinDielectric, BsdfKind::kPlastic,

@@ -102,6 +102,33 @@ TEST(Simplify, TexturesBecomeTheirMeanAndAreGone) {
 }
 
 // At a right angle an interface reflects ((ior - 1) / (ior + 1))^2.
+// The mesh keeps the mean light.
+TEST(Simplify, ALampShinesAlikeAllOver) {
+  Material m;
+  m.emission = bitmap(0);
+  Scene scene = square(m);
+  scene.meshes[0].radiance = grey(3);
+  scene.textures = {picture({grey(0.5f), grey(1.5f)})};
+  EXPECT_TRUE(featuresOf(scene).contains(SceneFeature::kTextures));
+  const Scene plain = simplified(scene, {SceneFeature::kTextures});
+  expectColor(first(plain).emission, grey(1));
+  EXPECT_EQ(plain.meshes[0].radiance, grey(3));
+  EXPECT_TRUE(plain.textures.empty());
+}
+
+// A changed picture wraps as the first one does.
+TEST(Simplify, APictureKeepsItsEdges) {
+  Material m;
+  m.model.kind = BsdfKind::kConductor;
+  m.specular = bitmap(0);
+  Scene scene = square(m);
+  scene.textures = {picture({grey(0), grey(1)})};
+  scene.textures[0].setWrap(Texture::Wrap::kClamp, Texture::Wrap::kMirror);
+  const Scene plain = simplified(scene, {SceneFeature::kSpecular});
+  EXPECT_EQ(plain.textures.at(0).wrapU(), Texture::Wrap::kClamp);
+  EXPECT_EQ(plain.textures.at(0).wrapV(), Texture::Wrap::kMirror);
+}
+
 TEST(Simplify, PlasticKeepsItsAlbedoAtARightAngle) {
   const double ior = 1.5, f = std::pow((ior - 1) / (ior + 1), 2);
   const auto expected = [&](double base, double specular) {

@@ -76,6 +76,59 @@ TEST(GltfCompressed, ByMeshoptimizerAndDamagedIsRefused) {
                  "its bytes are damaged");
 }
 
+// Attributes of a triangle, as positions and four of joints and weights each.
+struct SkinnedTriangle {
+  std::array<Vec3, 3> positions{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  std::array<std::array<std::uint8_t, 4>, 3> joints{{{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}}};
+  std::array<std::array<float, 4>, 3> weights{{{1, 0, 0, 0}, {1, 0, 0, 0}, {0.5f, 0.5f, 0, 0}}};
+};
+
+// The numbers of its attributes are 0, 1 and 2.
+std::string dracoBytes(const SkinnedTriangle& t) {
+  using draco::GeometryAttribute;
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(1);
+  const int all[] = {builder.AddAttribute(GeometryAttribute::POSITION, 3, draco::DT_FLOAT32),
+                     builder.AddAttribute(GeometryAttribute::GENERIC, 4, draco::DT_UINT8),
+                     builder.AddAttribute(GeometryAttribute::GENERIC, 4, draco::DT_FLOAT32)};
+  const auto set = [&](int attribute, const auto& v) {
+    builder.SetAttributeValuesForFace(attribute, draco::FaceIndex(0), &v[0], &v[1], &v[2]);
+  };
+  set(all[0], t.positions), set(all[1], t.joints), set(all[2], t.weights);
+  const auto mesh = builder.Finalize();
+  draco::ExpertEncoder encoder(*mesh);
+  draco::EncoderBuffer buffer;
+  EXPECT_TRUE(encoder.EncodeToBuffer(&buffer).ok());
+  return {buffer.data(), buffer.size()};
+}
+
+// Its second joint stands a unit higher than its bind says.
+TEST(GltfCompressed, ByDracoASkinBends) {
+  const Scratch files;
+  const std::string bytes = dracoBytes(SkinnedTriangle()), length = std::to_string(bytes.size());
+  files.write("data.bin", bytes);
+  const Scene scene = loadGltf(
+      files.write(
+          "scene.gltf",
+          test::gltf({R"("nodes":[{"mesh":0,"skin":0,"name":"it"},{},{"translation":[0,0,1]}])",
+                      R"("skins":[{"joints":[1,2]}])",
+                      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2},
+                  "indices":3,"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,
+                  "attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}}}}]}])",
+                      R"("buffers":[{"uri":"data.bin","byteLength":)" + length + "}]",
+                      R"("bufferViews":[{"buffer":0,"byteLength":)" + length + "}]",
+                      R"("accessors":[{"componentType":5126,"type":"VEC3","count":3},
+                  {"componentType":5121,"type":"VEC4","count":3},{"componentType":5126,"type":"VEC4","count":3},
+                  {"componentType":5125,"type":"SCALAR","count":3}])"})),
+      {});
+  const Mesh& mesh = scene.meshes.at(0);
+  ASSERT_EQ(mesh.positions.size(), 4u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 p = mesh.positions[i];
+    EXPECT_NEAR(p.z, p.x > 0.5f ? 1 : p.y > 0.5f ? 0.5 : 0, 1e-3) << p.x << " " << p.y;
+  }
+}
+
 std::string dracoBytes(const Fan& fan) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(static_cast<int>(fan.indices.size() / 3));

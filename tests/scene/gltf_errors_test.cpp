@@ -44,6 +44,13 @@ TEST(GltfErrors, OptionalExtensionsAreTold) {
   const Scene scene = test::loadTriangle(
       {test::kTriangleNode, R"("extensionsUsed":["KHR_materials_clearcoat","KHR_lights_punctual"])"});
   EXPECT_EQ(scene.unread.at(0), "not shown are the extensions KHR_materials_clearcoat");
+  for (const std::string name :
+       {"anisotropy", "sheen", "iridescence", "dispersion", "diffuse_transmission"}) {
+    const std::string list = R"(:["KHR_materials_)" + name + "\"]";
+    expectContains(test::loadTriangle({test::kTriangleNode, "\"extensionsUsed\"" + list}).unread.at(0), name);
+    expectContains(faultOf({test::kTriangleMesh, test::kTriangleNode, "\"extensionsRequired\"" + list}),
+                   "requires the extensions KHR_materials_" + name);
+  }
 }
 
 TEST(GltfErrors, OfNodes) {

@@ -122,14 +122,36 @@ std::string faultOf(const Bar& bar, const std::string& from, const std::string& 
   return {};
 }
 
+// The second set adds the other joint to corner 2, with the same weight.
+TEST(GltfSkin, MayHaveMoreThanFourJointsAVertex) {
+  const Scratch files;
+  Bar bar;
+  bar.arrays.whole<std::uint8_t>(std::vector<std::uint8_t>(24), 5121, "VEC4");  // 7: the root
+  std::vector<float> weights(24);
+  weights[8] = 1;
+  bar.arrays.floats(weights, "VEC4");  // 8
+  std::vector<std::string> parts = bar.parts();
+  parts[0] = R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3,
+                "JOINTS_1":7,"WEIGHTS_1":8},"indices":1}]}])";
+  const Scene scene = test::loadGltfOf(files, bar.arrays, parts);
+  const std::vector<Vec3> bent = formAt(scene, 1s);
+  expectNear(bent[2], {1.5f, 0.5f, 0});  // the mean of (1, 1) and (2, 0)
+  expectNear(bent[5], {0, 1, 0});
+  expectNear(bent[4], {0.5f, 0.5f, 0});
+  EXPECT_EQ(scene.deformations.at(0).influences.size(), 12u);
+}
+
 TEST(GltfSkin, TellsFaults) {
   const auto expectFault = [](const std::string& from, const std::string& to, const std::string& told) {
     const std::string fault = faultOf(Bar(), from, to);
     EXPECT_NE(fault.find(told), std::string::npos) << fault;
   };
-  expectFault(R"("joints":[1,2])", R"("joints":[1])", "JOINTS_0 names a joint beyond the 1 of the skin");
+  expectFault(R"("joints":[1,2])", R"("joints":[1])", "a vertex has a joint beyond the 1 of the skin");
   expectFault(R"("joints":[1,2])", R"("joints":[])", "has 0 joints");
   expectFault(R"(,"WEIGHTS_0":3)", "", "needs JOINTS_0 and WEIGHTS_0");
+  expectFault(R"("JOINTS_0":2)", R"("JOINTS_0":2,"JOINTS_1":2)", "needs JOINTS_0 and WEIGHTS_0");
+  expectFault(R"("JOINTS_0":2)", R"("JOINTS_0":2,"JOINTS_1":2,"JOINTS_2":2,"JOINTS_3":2,"JOINTS_4":2)",
+              "more than 16 joints a vertex");
   expectFault(R"("inverseBindMatrices":4)", R"("inverseBindMatrices":3)", "where 16 numbers are needed");
   expectFault(R"("skin":0)", R"("skin":7)", "skin");
 }

@@ -122,7 +122,21 @@ TEST(GltfMaterial, EmitsFactorTimesStrengthTimesTheMeanOfItsTexture) {
       loadMaterial(R"({"emissiveFactor":[1,1,1],"emissiveTexture":{"index":0},)" + strength + "}");
   EXPECT_FLOAT_EQ(pictured.meshes.at(0).radiance.x, 8);
   EXPECT_EQ(pictured.meshes.at(0).radiance.y, 0);
-  expectContains(pictured.unread.at(0), "emissiveTexture");
+}
+
+// The mesh emits the mean, and the picture is a factor of it. The base colour has its own picture.
+TEST(GltfMaterial, EmitsAsItsTextureSays) {
+  const Scene scene = loadMaterial(R"({"emissiveFactor":[1,1,1],"emissiveTexture":{"index":1},
+    "pbrMetallicRoughness":{"baseColorTexture":{"index":1}}})");
+  const auto linear = [](double v) { return std::pow((v / 255 + 0.055) / 1.055, 2.4); };
+  const double bright = linear(200), dark = linear(100), mean = (bright + dark) / 2;
+  EXPECT_NEAR(scene.meshes.at(0).radiance.x, mean, 1e-5);
+  const Material& m = scene.materials.at(0);
+  EXPECT_NEAR(pixelsOf(scene, m.emission)[0].x, bright / mean, 1e-5);
+  EXPECT_NEAR(pixelsOf(scene, m.emission)[1].x, dark / mean, 1e-5);
+  EXPECT_NEAR(pixelsOf(scene, m.emission)[1].y, 1, 1e-5);
+  EXPECT_NEAR(pixelsOf(scene, m.reflectance)[0].x, bright, 1e-5);
+  for (const std::string& told : scene.unread) EXPECT_EQ(told.find("emissive"), told.npos) << told;
 }
 
 // As two meshes: the back is behind the front, and faces the other way.
@@ -147,12 +161,30 @@ TEST(GltfMaterial, OfAClosedMeshHasNoBackToEmitFrom) {
   EXPECT_TRUE(isOpen(cube));
 }
 
-// Two sets of coordinates: the first texture decides.
-TEST(GltfMaterial, TellsOfASecondSetOfTextureCoordinates) {
-  const Scene scene = loadMaterial(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},
-    "normalTexture":{"index":1,"texCoord":1}})");
-  EXPECT_FALSE(isBumpy(scene.materials.at(0)));
-  expectContains(scene.unread.at(0), "normalTexture");
+TEST(GltfMaterial, HasTwoSetsOfTextureCoordinates) {
+  const Scratch files;
+  writePng(files.path("colour.png"), 3, {255, 0, 128, 255, 0, 128});
+  test::GltfArrays arrays = test::triangle();
+  arrays.floats({0, 0, 1, 0, 0, 1}, "VEC2");
+  arrays.floats({0.5f, 0.5f, 1, 0, 0, 1}, "VEC2");
+  const auto load = [&](const std::string& sets) {
+    return test::loadGltfOf(
+        files, arrays,
+        {R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_2":1,"TEXCOORD_1":2},"material":0}]}])",
+         test::kTriangleNode, R"("images":[{"uri":"colour.png"}],"textures":[{"source":0}])",
+         R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":2}},)" + sets +
+             "}]"});
+  };
+  const Scene two = load(R"("normalTexture":{"index":0,"texCoord":1})");
+  const Material& m = two.materials.at(0);
+  EXPECT_TRUE(isBumpy(m) && m.normals.second_uvs && !m.reflectance.second_uvs);
+  EXPECT_EQ(two.meshes.at(0).uvs.at(0).x, 0);
+  EXPECT_EQ(two.meshes.at(0).second_uvs.at(0).x, 0.5f);
+  const Scene three = load(R"("normalTexture":{"index":0,"texCoord":1},"emissiveFactor":[1,1,1],
+                              "emissiveTexture":{"index":0})");
+  EXPECT_FALSE(isTextured(three.materials.at(0).emission));
+  expectContains(three.unread.at(0), "emissiveTexture is not shown: it has the third set");
+  EXPECT_TRUE(load(R"("doubleSided":true)").meshes.at(0).second_uvs.empty());
 }
 
 // KHR_materials_specular scales the reflectance at a right angle: 0.04 becomes 0.01.

@@ -40,8 +40,8 @@ TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
       "'hair' is not supported; supported: obj, ply, serialized, rectangle, cube, disk, cylinder, sphere");
   expectAt4(shape("<bsdf type='principled'/>"),
             "'principled' is not supported; supported: diffuse, plastic, roughplastic, conductor, "
-            "roughconductor, dielectric, thindielectric, roughdielectric, metallicroughness, twosided, mask, "
-            "bumpmap, blendbsdf, mixturebsdf");
+            "roughconductor, dielectric, thindielectric, roughdielectric, metallicroughness, phong, ward, "
+            "roughdiffuse, twosided, mask, bumpmap, coating, roughcoating, blendbsdf, mixturebsdf");
   expectAt4(shape("<emitter type='spot'/>"), "supported: area");
   expectAt4(shape("<boolean name='smooth' value='true'/>"), "<boolean name=\"smooth\"> is not supported");
   expectAt4(shape("<boolean name='beSmooth' value='true'/>"),

@@ -220,8 +220,8 @@ TEST(MitsubaMaterial, FaultsNameWhatIsValid) {
   expectBsdfError("<bsdf type='conductor'><string name='material' value='Unobtainium'/></bsdf>",
                   "the metal 'Unobtainium' is not known; known: none, a-C, Ag");
   expectBsdfError("<bsdf type='conductor'><rgb name='eta' value='1, 1, 1'/></bsdf>", "needs eta and k");
-  expectBsdfError("<bsdf type='roughplastic'><string name='distribution' value='phong'/></bsdf>",
-                  "'phong' is not supported; supported: beckmann, ggx");
+  expectBsdfError("<bsdf type='roughplastic'><string name='distribution' value='as'/></bsdf>",
+                  "'as' is not supported; supported: beckmann, ggx, phong");
   expectBsdfError("<bsdf type='roughplastic'><float name='alpha' value='1.5'/></bsdf>", "within [0, 1]");
   expectBsdfError("<bsdf type='roughplastic'><float name='alphaU' value='0.5'/></bsdf>",
                   "alpha_u and alpha_v must be equal");

@@ -42,6 +42,10 @@ TEST(SceneHash, TellsApartWhatDiffersInOneThing) {
       [](Scene& s) { s.materials[0].model.eta.x = 2; },
       [](Scene& s) { s.materials[0].model.k.x = 2; },
       [](Scene& s) { s.materials[0].model.nonlinear = true; },
+      [](Scene& s) { s.materials[0].model.scatters_once = true; },
+      [](Scene& s) { s.materials[0].model.coat_ior = 1.5f; },
+      [](Scene& s) { s.materials[0].emission.kind = SurfaceColor::Kind::kCheckerboard; },
+      [](Scene& s) { s.materials[0].specular.second_uvs = true; },
       [](Scene& s) { s.environment->radiance.x = 2; },
       [](Scene& s) { s.environment->picture.pixels[0].x = 3; },
       [](Scene& s) {

@@ -52,6 +52,10 @@ std::vector<MaterialScene> materialScenes() {
   add("diffuse_picture", twosided(bsdf("diffuse", picture("reflectance"))));
   add("plastic", twosided(bsdf("plastic")));
   add("conductor", twosided(bsdf("conductor")));
+  add("phong", twosided(bsdf("phong", picture("specular_reflectance"))));
+  add("ward", twosided(bsdf("ward")));
+  for (const char* inner : {"diffuse", "conductor"})
+    add(std::string("coating_") + inner, twosided(bsdf("coating", bsdf(inner))));
   add("dielectric", bsdf("dielectric"));
   add("thindielectric", bsdf("thindielectric"));
   add("roughdielectric", bsdf("roughdielectric", "<float name='alpha' value='0.2'/>"));

@@ -70,7 +70,8 @@ def open_in_blender(scene, size, spp, bounces, diffuse):
     it = bpy.context.scene
     it.camera = next(o for o in bpy.data.objects if o.type == "CAMERA")
     lit = any(o.type == "LIGHT" for o in bpy.data.objects) or any(
-        n.inputs["Emission Strength"].default_value > 0 and max(n.inputs["Emission"].default_value[:3]) > 0
+        n.inputs["Emission Strength"].default_value > 0
+        and (n.inputs["Emission"].is_linked or max(n.inputs["Emission"].default_value[:3]) > 0)
         for m in bpy.data.materials if m.use_nodes for n in m.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
     it.world = bpy.data.worlds.new("sky")
     it.world.use_nodes = True

@@ -9,6 +9,7 @@
 #include "render/bsdf/conductor.h"
 #include "render/bsdf/dielectric.h"
 #include "render/bsdf/diffuse.h"
+#include "render/bsdf/glossy.h"
 #include "render/bsdf/metallic_roughness.h"
 #include "render/bsdf/plastic.h"
 #include "render/bsdf/rough_dielectric.h"
@@ -33,7 +34,7 @@ namespace detail {
 
 // In the order of BsdfKind.
 using BsdfFamilies = std::tuple<Diffuse, Plastic, RoughPlastic, Conductor, RoughConductor, Dielectric,
-                                ThinDielectric, RoughDielectric, MetallicRoughness>;
+                                ThinDielectric, RoughDielectric, MetallicRoughness, Phong, Ward>;
 
 template <std::size_t... I>
 constexpr bool inOrder(std::index_sequence<I...>) {

@@ -1,6 +1,7 @@
 #include "render/bsdf/bsdf_tables.h"
 
 #include "render/bsdf/fresnel.h"
+#include "render/bsdf/gloss_lobes.h"
 #include "render/bsdf/microfacet_mean.h"
 
 namespace saccade {
@@ -25,6 +26,29 @@ float roughTransmittance(const Microfacets& f, float cos_o, float ior) {
     const Vec3 wt = m * (cos_m / ior - r.cos_t) - wo / ior;
     return wt.z < 0 ? (1 - r.reflectance) * visibleFraction(f, wt) : 0;
   });
+}
+
+// f cos_i / pdf of a lobe of gloss that is sampled by itself.
+template <class Lobe>
+float glossWeight(float alpha, Vec3 wo, Vec3 wi) {
+  const GlossValue gloss = wi.z > 0 ? Lobe::at(alpha, wo, wi) : GlossValue{};
+  return gloss.pdf > 0 ? gloss.value / gloss.pdf : 0;
+}
+
+// The fraction of light from cosine cos_o that a white lobe reflects.
+float phongReflectance(float alpha, float cos_o) {
+  constexpr int kSteps = 48;  // per dimension
+  const Vec3 wo{std::sqrt(1 - cos_o * cos_o), 0, cos_o};
+  const auto node = [](int i) { return (static_cast<float>(i) + 0.5f) / kSteps; };
+  float sum = 0;
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j)
+      sum += glossWeight<PhongLobe>(alpha, wo, PhongLobe::sample(alpha, wo, node(i), node(j)));
+  return sum / (kSteps * kSteps);
+}
+float wardReflectance(float alpha, float cos_o) {
+  return meanOverNormals({MicrofacetKind::kBeckmann, alpha}, cos_o,
+                         [&](Vec3 wo, Vec3 m) { return glossWeight<WardLobe>(alpha, wo, mirror(wo, m)); });
 }
 
 // 2 int_0^1 at(c) c dc, over the square root of c.
@@ -61,6 +85,10 @@ BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
     inner_reflectance.fill([&](float cos_o) { return roughReflectance(f, cos_o, inner).x; });
     inner_transmittance.fill([&](float cos_o) { return roughTransmittance(f, cos_o, 1 / m.ior); });
   }
+  if (m.kind == BsdfKind::kPhong)
+    reflectance.fill([&](float cos_o) { return Rgb{1, 1, 1} * phongReflectance(model.alpha, cos_o); });
+  if (m.kind == BsdfKind::kWard)
+    reflectance.fill([&](float cos_o) { return Rgb{1, 1, 1} * wardReflectance(model.alpha, cos_o); });
   if (m.kind == BsdfKind::kPlastic)
     mean_transmittance = cosineWeightedMean([&](float cosine) { return 1 - dielectric(cosine); });
   if (m.kind == BsdfKind::kMetallicRoughness) {

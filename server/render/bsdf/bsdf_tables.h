@@ -43,6 +43,7 @@ struct BsdfTables {
 
   // For rough kinds: the fractions of light from outside that leave into the upper hemisphere, per channel.
   // Of plastic and glass also those into the lower one. Light between two microfacets is lost, as in Mitsuba.
+  // Of phong and ward: what a white lobe of gloss reflects.
   CosineTable<Rgb> reflectance;
   CosineTable<float> transmittance;
   // Rough glass: the same of light from inside.

@@ -1,4 +1,5 @@
-// Metals.
+// Metals. A smooth one may have a dielectric coat, as in Mitsuba. The coat lets light through down and up,
+// and the metal reflects it once.
 #pragma once
 
 #include "render/bsdf/bsdf_record.h"
@@ -15,8 +16,13 @@ struct Conductor {
     return {mirror(wo), albedo(b, wo.z), 1, true, false};
   }
   static Rgb albedo(const Bsdf& b, float cos_o) {
-    const Rgb f = fresnelConductor(std::clamp(cos_o, 0.f, 1.f), b.tables->model.eta, b.tables->model.k);
-    return b.specular * f * (cos_o > 0 ? 1.f : 0.f);
+    if (!(cos_o > 0)) return {};
+    const BsdfModel& m = b.tables->model;
+    const float cosine = std::min(cos_o, 1.f);
+    if (m.coat_ior == 0) return b.specular * fresnelConductor(cosine, m.eta, m.k);
+    const auto [coat, inner] = fresnelDielectric(cosine, m.coat_ior);
+    return Rgb{coat, coat, coat} +
+           b.specular * fresnelConductor(inner, m.eta, m.k) * ((1 - coat) * (1 - coat));
   }
 };
 

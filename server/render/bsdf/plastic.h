@@ -6,7 +6,7 @@
 // little less.
 // With 1 - R = mean T / ior^2 the second part is
 //   base T(cos_o) * T(cos_i) / (pi mean T),   base = a (1 - R) / (1 - a R), or a without `nonlinear`.
-// Its albedo is base T(cos_o).
+// Its albedo is base T(cos_o). A base that scatters once, as below Mitsuba's coatings, has a (1 - R).
 #pragma once
 
 #include "render/bsdf/bsdf_record.h"
@@ -23,6 +23,7 @@ struct Interface {
 inline Rgb plasticBase(const Bsdf& b) {
   const float r = b.tables->internal_reflectance;
   const auto base = [r](float a) { return a * (1 - r) / (1 - a * r); };
+  if (b.tables->model.scatters_once) return b.diffuse * (1 - r);
   return b.tables->model.nonlinear ? Rgb{base(b.diffuse.x), base(b.diffuse.y), base(b.diffuse.z)} : b.diffuse;
 }
 

@@ -18,7 +18,10 @@ void removeSurfaces(Scene& scene, const std::vector<bool>& gone) {
   for (std::size_t i = 0; i < gone.size(); ++i) {
     if (!gone[i]) continue;
     const bool twosided = scene.materials[i].twosided;
-    scene.materials[i] = {.name = scene.materials[i].name, .reflectance = {}, .twosided = twosided};
+    scene.materials[i] = {.name = scene.materials[i].name,
+                          .reflectance = {},
+                          .twosided = twosided,
+                          .emission = scene.materials[i].emission};
   }
 }
 

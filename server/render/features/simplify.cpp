@@ -13,7 +13,7 @@ void eraseUnusedTextures(Scene& scene) {
   std::vector<int> index(scene.textures.size(), -1);
   for (Material& m : scene.materials) {
     for (SurfaceColor* c : {&m.reflectance, &m.specular, &m.transmittance, &m.metallic_roughness, &m.opacity,
-                            &m.height, &m.normals}) {
+                            &m.emission, &m.height, &m.normals}) {
       if (c->kind != SurfaceColor::Kind::kBitmap) continue;
       const auto old = static_cast<std::size_t>(c->texture);
       if (index[old] < 0) {

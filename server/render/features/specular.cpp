@@ -18,8 +18,10 @@ SurfaceColor mapped(Scene& scene, SurfaceColor c, Change change) {
   const Texture& picture = scene.textures[static_cast<std::size_t>(c.texture)];
   std::vector<Rgb> pixels = picture.pixels();
   std::transform(pixels.begin(), pixels.end(), pixels.begin(), change);
+  Texture all(picture.width(), picture.height(), std::move(pixels));
+  all.setWrap(picture.wrapU(), picture.wrapV());
   c.texture = static_cast<int>(scene.textures.size());
-  scene.textures.push_back(Texture(picture.width(), picture.height(), std::move(pixels)));
+  scene.textures.push_back(std::move(all));
   return c;
 }
 

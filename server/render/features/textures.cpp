@@ -11,13 +11,14 @@ Rgb meanOf(const Scene& scene, const SurfaceColor& c) {
 bool hasTextures(const Scene& scene) {
   return anyMaterial(scene, [](const Material& m) {
     return isTextured(m.reflectance) || isTextured(m.specular) || isTextured(m.transmittance) ||
-           isTextured(m.metallic_roughness);
+           isTextured(m.metallic_roughness) || isTextured(m.emission);
   });
 }
 
 void leaveOutTextures(Scene& scene) {
   for (Material& m : scene.materials)
-    for (SurfaceColor* c : {&m.reflectance, &m.specular, &m.transmittance, &m.metallic_roughness})
+    for (SurfaceColor* c :
+         {&m.reflectance, &m.specular, &m.transmittance, &m.metallic_roughness, &m.emission})
       *c = constantColor(meanOf(scene, *c));
 }
 

@@ -24,6 +24,10 @@ float shareOfHemisphere(const Polygon& polygon, Vec3 n) {
   return std::abs(sum) * (0.5f * std::numbers::inv_pi_v<float>);
 }
 
+bool isEven(const Scene& scene, const Mesh& lamp) {
+  return !isTextured(scene.materials[static_cast<std::size_t>(lamp.material)].emission);
+}
+
 // In lanes where no horizon cuts a disk or a sphere, and else one by one.
 LampLanes::F ofRound(const LampLanes& seen_from, const AnalyticLight::Side& side, const LitPoints& points,
                      int first) {
@@ -39,7 +43,8 @@ LampLanes::F ofRound(const LampLanes& seen_from, const AnalyticLight::Side& side
 
 AnalyticLight::AnalyticLight(const Scene& scene) : held_(scene.meshes.size() + scene.spheres.size()) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    if (emits(scene.meshes[i])) addMesh(scene.meshes[i], static_cast<std::uint32_t>(i));
+    const Mesh& mesh = scene.meshes[i];
+    if (emits(mesh) && isEven(scene, mesh)) addMesh(mesh, static_cast<std::uint32_t>(i));
   }
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     const Sphere& s = scene.spheres[i];

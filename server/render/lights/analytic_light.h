@@ -1,5 +1,6 @@
 // Direct light of lamps of a few flat sides, of disks and of spheres, in closed form, as if nothing cast a
 // shadow.
+// Their light does not vary over their surface.
 #pragma once
 
 #include <algorithm>

@@ -71,14 +71,16 @@ float AreaLamp::area() const {
   return radius > 0 ? 4 * kPi * radius * radius : length(cross(edge1, edge2)) / 2;
 }
 
-Lamps::Lamps(const Scene& scene) : spots_(spotsOf(scene)) {
+Lamps::Lamps(const Scene& scene, const std::vector<Texture>& textures)
+    : textures_(&textures), spots_(spotsOf(scene)) {
   std::uint32_t geometry = 0;  // counted as EmbreeScene does
   const auto next = [&] {
     first_primitive_.push_back(static_cast<std::uint32_t>(leaf_of_primitive_.size()));
   };
   for (const Mesh& mesh : scene.meshes) {
     next();
-    if (emits(mesh)) addMesh(mesh, geometry);
+    if (emits(mesh))
+      addMesh(mesh, geometry, scene.materials[static_cast<std::size_t>(mesh.material)].emission);
     ++geometry;
   }
   for (const Sphere& sphere : scene.spheres) {
@@ -89,7 +91,7 @@ Lamps::Lamps(const Scene& scene) : spots_(spotsOf(scene)) {
   addSets();
 }
 
-void Lamps::addMesh(const Mesh& mesh, std::uint32_t geometry) {
+void Lamps::addMesh(const Mesh& mesh, std::uint32_t geometry, const SurfaceColor& emission) {
   const auto lamp = [&](std::size_t i) {
     const auto& [a, b, c] = mesh.triangles[i];
     const Vec3 corner = mesh.positions[a];
@@ -98,10 +100,27 @@ void Lamps::addMesh(const Mesh& mesh, std::uint32_t geometry) {
   };
   const std::size_t all = isEvenDisk(mesh) ? mesh.triangles.size() : 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::size_t first = i;
     std::vector<AreaLamp> lamps{lamp(i)};
     while (lamps.size() < all || (lamps.size() == 1 && isQuad(mesh, i))) lamps.push_back(lamp(++i));
+    if (isTextured(emission)) addPictures(mesh, first, emission, lamps);
     addLeaf(lamps);
   }
+}
+
+// Gives the lamps of a leaf, from a triangle on, their pictures, and all of them the mean light.
+void Lamps::addPictures(const Mesh& mesh, std::size_t first, const SurfaceColor& emission,
+                        std::span<AreaLamp> lamps) {
+  Rgb power;
+  float area = 0;
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    lamps[i].picture = static_cast<int>(pictures_.size());
+    pictures_.emplace_back(mesh, mesh.triangles[first + i], emission);
+    power = power + pictures_.back().mean(*textures_) * lamps[i].area();
+    area += lamps[i].area();
+  }
+  for (AreaLamp& lamp : lamps)
+    if (area > 0) lamp.radiance = power / area;
 }
 
 void Lamps::addLeaf(std::span<const AreaLamp> lamps) {
@@ -170,8 +189,9 @@ Lamps::ChosenLanes Lamps::chooseFromTree(LightSet set, const LaneVectors& points
 float Lamps::pdf(LightSet set, const EmitterPoint& point, const Receiver& at) const {
   const std::uint32_t number = leaf_of_primitive_[first_primitive_[point.geometry] + point.primitive];
   const LampLeaf& leaf = leaves_[number];
-  const float per_area = hasTree(set) ? probability(set, number, at) / leaf.area
-                                      : luminance(point.radiance) * byPower(set).inverseWeight();
+  const float per_area = hasTree(set)
+                             ? probability(set, number, at) / leaf.area
+                             : luminance(area_lamps_[leaf.first].radiance) * byPower(set).inverseWeight();
   if (const AreaLamp& lamp = area_lamps_[leaf.first]; lamp.radius > 0)
     return per_area * lamp.area() / SphereCone(at.point, lamp.corner, lamp.radius).solidAngle();
   return per_area * point.distance * point.distance / std::max(point.cosine, 1e-6f);
@@ -194,7 +214,10 @@ IncidentLight Lamps::ofTriangle(const AreaLamp& lamp, float pdf, Vec3 point, flo
   const Vec3 w = segment / std::sqrt(distance2);
   const float cosine = -dot(w, normal);
   const float per_solid_angle = cosine > 0 ? pdf * distance2 / cosine : 0;
-  return {w, segment, kShadowEnd, lamp.radiance, per_solid_angle, false, lamp.geometry};
+  const Rgb radiance = lamp.picture < 0
+                           ? lamp.radiance
+                           : pictures_[static_cast<std::size_t>(lamp.picture)].at(*textures_, u1, u2);
+  return {w, segment, kShadowEnd, radiance, per_solid_angle, false, lamp.geometry};
 }
 
 // `pdf`: as if it were per area.

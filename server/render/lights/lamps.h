@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/lights/incident_light.h"
+#include "render/lights/lamp_picture.h"
 #include "render/lights/lamp_tree.h"
 #include "render/lights/light_choice.h"
 #include "scene/scene.h"
@@ -16,8 +17,9 @@ namespace saccade {
 struct AreaLamp {
   Vec3 corner, edge1, edge2;  // triangle; sphere: corner is the centre
   float radius;               // 0 for a triangle
-  Rgb radiance;
+  Rgb radiance;               // on average, where it varies
   std::uint32_t geometry;
+  int picture = -1;  // of Lamps: how it varies; -1: not at all
 
   float area() const;
   // A place that is uniform by area, of two numbers in [0, 1), and its unit normal.
@@ -52,7 +54,9 @@ struct EmitterPoint {
 // frame.
 class Lamps {
  public:
-  explicit Lamps(const Scene& scene);
+  // Keeps a pointer to the textures, which are those of the scene's materials.
+  Lamps(const Scene& scene, const std::vector<Texture>& textures);
+  explicit Lamps(const Scene& scene) : Lamps(scene, scene.textures) {}
 
   bool has(LightSet set) const { return !byPower(set).empty(); }
   bool hasTree(LightSet set) const { return of(set).tree.has_value(); }
@@ -98,13 +102,17 @@ class Lamps {
 
   const Set& of(LightSet set) const { return sets_[static_cast<std::size_t>(set)]; }
   void addLeaf(std::span<const AreaLamp> lamps);
-  void addMesh(const Mesh& mesh, std::uint32_t geometry);
+  void addMesh(const Mesh& mesh, std::uint32_t geometry, const SurfaceColor& emission);
+  void addPictures(const Mesh& mesh, std::size_t first, const SurfaceColor& emission,
+                   std::span<AreaLamp> lamps);
   void addSets();
   LampBounds boundsOf(const LampLeaf& leaf) const;
   IncidentLight ofTriangle(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const;
   IncidentLight ofSphere(const AreaLamp& lamp, float pdf, Vec3 point, float u1, float u2) const;
 
+  const std::vector<Texture>* textures_;
   std::vector<AreaLamp> area_lamps_;
+  std::vector<LampPicture> pictures_;
   std::vector<SpotLight> spots_;
   std::vector<LampLeaf> leaves_;
   std::vector<std::uint32_t> first_primitive_;    // by geometry, among those of all emitters

@@ -22,7 +22,8 @@ LightColumns::LightColumns(const Lamps& lamps, const AnalyticLight& analytic) {
     columns_[x].push_back(v.x), columns_[x + 1].push_back(v.y), columns_[x + 2].push_back(v.z);
   };
   for (std::size_t i = 0; i < lamps.count(); ++i) {
-    const bool triangle = i < lamps.areaLamps().size() && lamps.areaLamps()[i].radius == 0;
+    const bool triangle =
+        i < lamps.areaLamps().size() && lamps.areaLamps()[i].radius == 0 && lamps.areaLamps()[i].picture < 0;
     const AreaLamp lamp = triangle ? lamps.areaLamps()[i] : AreaLamp{};
     all_triangles_ = all_triangles_ && triangle;
     set(kCornerX, lamp.corner);

@@ -9,7 +9,7 @@ Shading shadingOf(const Scene& scene) {
   for (const Material& m : scene.materials) {
     needed.kinds |= only(m.model.kind);
     needed.textures |= isTextured(m);
-    needed.extras |= !isOpaque(m) || isBumpy(m);
+    needed.extras |= !isOpaque(m) || isBumpy(m) || isTextured(m.emission);
   }
   return needed;
 }

@@ -25,17 +25,20 @@ inline float filteredSquareWave(float x, float w) {
   return (integral(x + w / 2) - integral(x - w / 2)) / w;
 }
 
-inline Rgb lookUp(const Scene& scene, const SurfaceColor& c, TexturePoint p) {
+inline Rgb lookUp(const std::vector<Texture>& textures, const SurfaceColor& c, TexturePoint p) {
   if (c.kind == SurfaceColor::Kind::kConstant) return c.color0;
   const Vec2 st{p.uv.x * c.uv_scale.x + p.uv.y * c.uv_cross.x + c.uv_offset.x,
                 p.uv.y * c.uv_scale.y + p.uv.x * c.uv_cross.y + c.uv_offset.y};
   const float width =
       p.footprint * std::sqrt(std::abs(c.uv_scale.x * c.uv_scale.y - c.uv_cross.x * c.uv_cross.y));
-  if (c.kind == SurfaceColor::Kind::kBitmap) return scene.textures[c.texture].sample(st, width);
+  if (c.kind == SurfaceColor::Kind::kBitmap) return textures[c.texture].sample(st, width);
   // In Mitsuba's checkerboard, color0 fills the squares where both coordinates lie in the same half of their
   // period.
   const float same = 0.5f + 0.5f * filteredSquareWave(st.x, width) * filteredSquareWave(st.y, width);
   return c.color0 * same + c.color1 * (1 - same);
+}
+inline Rgb lookUp(const Scene& scene, const SurfaceColor& c, TexturePoint p) {
+  return lookUp(scene.textures, c, p);
 }
 
 }  // namespace saccade

@@ -34,11 +34,12 @@ inline Vec3 shadingNormalAt(const Mesh& mesh, const ShapePoint& at, Vec3 n) {
   return dot(ns, ns) > 0 ? normalize(ns) : n;
 }
 
-inline TexturePatch texturePatchAt(const Mesh& mesh, const ShapePoint& at) {
-  if (mesh.uvs.empty()) return {};
+// `uvs`: a set of coordinates of the mesh.
+inline TexturePatch texturePatchAt(const Mesh& mesh, const std::vector<Vec2>& uvs, const ShapePoint& at) {
+  if (uvs.empty()) return {};
   const auto [i, j, k] = mesh.triangles[at.primitive];
   const Vec3 ab = mesh.positions[j] - mesh.positions[i], ac = mesh.positions[k] - mesh.positions[i];
-  const Vec2 p = mesh.uvs[i], q = mesh.uvs[j], r = mesh.uvs[k];
+  const Vec2 p = uvs[i], q = uvs[j], r = uvs[k];
   const Vec2 pq{q.x - p.x, q.y - p.y}, pr{r.x - p.x, r.y - p.y};
   const float uv_area = pq.x * pr.y - pr.x * pq.y;
   TexturePatch patch{{p.x + pq.x * at.u + pr.x * at.v, p.y + pq.y * at.u + pr.y * at.v},

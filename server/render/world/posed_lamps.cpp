@@ -38,7 +38,7 @@ void PosedLamps::place(const Scene& scene, std::span<const RigidMotion> motions)
     if (sphere.body != kStands)
       sphere.center = motions[static_cast<std::size_t>(sphere.body)].point(scene.spheres[i].center);
   }
-  lights.setLamps(Lamps(shapes));
+  lights.setLamps(Lamps(shapes, scene.textures));
   analytic = AnalyticLight(shapes);
   columns = LightColumns(lights.lamps(), analytic);
 }

@@ -14,7 +14,8 @@ ShapeRow row(const Scene& scene, const auto& shape) {
   row.textured = isTextured(material.reflectance);
   row.twosided = material.twosided;
   row.emits = emits(shape);
-  row.plain = material.model.kind == BsdfKind::kDiffuse && isOpaque(material) && !isBumpy(material);
+  row.plain = material.model.kind == BsdfKind::kDiffuse && isOpaque(material) && !isBumpy(material) &&
+              !isTextured(material.emission);
   return row;
 }
 

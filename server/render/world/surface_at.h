@@ -7,10 +7,21 @@
 
 namespace saccade {
 
+// A point in both sets of texture coordinates.
+struct TexturePoints {
+  TexturePoint first, second;
+
+  TexturePoint of(const SurfaceColor& c) const { return c.second_uvs ? second : first; }
+};
+
 template <Shading S>
-Rgb colorAt(const Scene& scene, const SurfaceColor& c, TexturePoint at) {
+inline constexpr bool kMetallicRoughness = (S.kinds & only(BsdfKind::kMetallicRoughness)) != 0;
+
+// Colours of other kinds than metallic-roughness have the first set.
+template <Shading S>
+Rgb colorAt(const Scene& scene, const SurfaceColor& c, const TexturePoints& at) {
   if constexpr (!S.textures) return c.color0;
-  return lookUp(scene, c, at);
+  return lookUp(scene, c, kMetallicRoughness<S> ? at.of(c) : at.first);
 }
 
 // `footprint`: at a right angle to a ray that makes an angle of this cosine with the surface.
@@ -38,7 +49,7 @@ struct HitShape {
 // The colour that the vertices of a shape give its base.
 template <Shading S>
 Rgb vertexColor(const HitShape& shape, const ShapePoint& on) {
-  if constexpr (S.kinds & only(BsdfKind::kMetallicRoughness)) {
+  if constexpr (kMetallicRoughness<S>) {
     if (!shape.mesh || shape.mesh->colors.empty()) return {1, 1, 1};
     const auto [i, j, k] = shape.mesh->triangles[on.primitive];
     const std::vector<Rgb>& colors = shape.mesh->colors;
@@ -49,8 +60,9 @@ Rgb vertexColor(const HitShape& shape, const ShapePoint& on) {
 
 // `tables`: of the material; nullptr for kernels of diffuse surfaces alone. `factor`: see vertexColor().
 template <Shading S>
-Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, TexturePoint at, Rgb factor) {
-  if constexpr (S.kinds & only(BsdfKind::kMetallicRoughness))
+Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, const TexturePoints& at,
+            Rgb factor) {
+  if constexpr (kMetallicRoughness<S>)
     if (m.model.kind == BsdfKind::kMetallicRoughness)
       return MetallicRoughness::at(*tables, colorAt<S>(scene, m.reflectance, at) * factor,
                                    colorAt<S>(scene, m.metallic_roughness, at));
@@ -60,14 +72,16 @@ Bsdf bsdfAt(const Scene& scene, const Material& m, const BsdfTables* tables, Tex
   return b;
 }
 
-// In scene axes. `n` is the unit geometric normal.
-inline TexturePatch texturePatchOf(const PosedScene& posed, const Hit& hit, Vec3 n) {
+// In scene axes. `n` is the unit geometric normal. `uvs`: of the set of coordinates, where the shape is a
+// mesh.
+inline TexturePatch texturePatchOf(const PosedScene& posed, const Hit& hit, Vec3 n,
+                                   std::vector<Vec2> Mesh::*uvs) {
   const HitShape shape(posed, hit);
   if (hit.body == kNoBody)
-    return shape.mesh ? texturePatchAt(*shape.mesh, hit) : texturePatchAt(*shape.sphere, n);
+    return shape.mesh ? texturePatchAt(*shape.mesh, shape.mesh->*uvs, hit) : texturePatchAt(*shape.sphere, n);
   const RigidMotion& motion = posed.bodies()->motions()[hit.body];
-  TexturePatch patch =
-      shape.mesh ? texturePatchAt(*shape.mesh, hit) : texturePatchAt(*shape.sphere, motion.restDirection(n));
+  TexturePatch patch = shape.mesh ? texturePatchAt(*shape.mesh, shape.mesh->*uvs, hit)
+                                  : texturePatchAt(*shape.sphere, motion.restDirection(n));
   patch.dp_du = motion.direction(patch.dp_du), patch.dp_dv = motion.direction(patch.dp_dv);
   return patch;
 }
@@ -83,10 +97,13 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
   const HitShape shape(posed, hit);
   const int id = shape.material();
   const Material& material = scene.materials[id];
-  TexturePatch texture;
+  TexturePatch texture, second;
   if (S.diffuseOnly() ? S.textures && isTextured(material.reflectance) : isTextured(material))
-    texture = texturePatchOf(posed, hit, n);
-  const TexturePoint at = texturePoint(texture, cosine, footprint);
+    texture = texturePatchOf(posed, hit, n, &Mesh::uvs);
+  if constexpr (S.extras)
+    if (shape.mesh && !shape.mesh->second_uvs.empty())
+      second = texturePatchOf(posed, hit, n, &Mesh::second_uvs);
+  const TexturePoints at{texturePoint(texture, cosine, footprint), texturePoint(second, cosine, footprint)};
 
   Vec3 ns = patch.shading_normal;
   const Rgb radiance = shape.radiance();
@@ -106,8 +123,12 @@ Surface surfaceOf(const PosedScene& posed, const Hit& hit, const Patch& patch, V
     s.inside = transmits && !front;
   }
   if constexpr (S.extras) {
-    s.opacity = luminance(lookUp(scene, material.opacity, at));
-    if (isBumpy(material)) ns = bentNormal(scene, material, ns, texture, at.footprint);
+    s.opacity = luminance(lookUp(scene, material.opacity, at.of(material.opacity)));
+    if (isTextured(material.emission))
+      s.radiance = s.radiance * lookUp(scene, material.emission, at.of(material.emission));
+    if (isBumpy(material))
+      ns = bentNormal(scene, material, ns, material.normals.second_uvs ? second : texture,
+                      at.of(material.normals).footprint);
   }
   if (!front) s.geometric_normal = -n;
   s.shading_normal = dot(ns, s.geometric_normal) < 0 ? -ns : ns;

@@ -8,8 +8,8 @@ Rgb textureColor(const PosedScene& posed, const Hit& hit, float cosine, float fo
   const Scene& scene = posed.still().description();
   const HitShape shape(posed, hit);
   const Material& material = scene.materials[static_cast<std::size_t>(shape.material())];
-  const TexturePatch texture =
-      shape.mesh ? texturePatchAt(*shape.mesh, hit) : texturePatchAt(*shape.sphere, normalize(hit.normal));
+  const TexturePatch texture = shape.mesh ? texturePatchAt(*shape.mesh, shape.mesh->uvs, hit)
+                                          : texturePatchAt(*shape.sphere, normalize(hit.normal));
   return lookUp(scene, material.reflectance, texturePoint(texture, cosine, footprint));
 }
 

@@ -1,5 +1,6 @@
 #include "scene/deformation/deformation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace saccade {
@@ -14,12 +15,13 @@ JointMap toMap(const Affine& a) {
 }
 
 // The weighted sum of the maps of a vertex.
-JointMap blend(const std::vector<JointMap>& joints, const Influence& influence) {
+JointMap blend(const std::vector<JointMap>& joints, std::span<const Influence> influences) {
   JointMap sum{};
-  for (std::size_t k = 0; k < influence.joints.size(); ++k) {
-    const JointMap& joint = joints[influence.joints[k]];
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += influence.weights[k] * joint[i];
-  }
+  for (const Influence& influence : influences)
+    for (std::size_t k = 0; k < influence.joints.size(); ++k) {
+      const JointMap& joint = joints[influence.joints[k]];
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += influence.weights[k] * joint[i];
+    }
   return sum;
 }
 
@@ -73,6 +75,8 @@ void setForm(const Deformation& d, NodePoses& nodes, TimeNs t, MeshForm& form) {
 
 void deform(const Deformation& d, const MeshForm& form, std::span<Vec3> positions, std::span<Vec3> normals) {
   const bool smooth = !d.normals.empty();
+  const std::span<const Influence> influences = d.influences;
+  const std::size_t per_vertex = influences.size() / std::max<std::size_t>(1, d.positions.size());
   for (std::size_t i = 0; i < d.positions.size(); ++i) {
     Vec3 p = d.positions[i], n = smooth ? d.normals[i] : Vec3{};
     for (std::size_t k = 0; k < d.targets.size(); ++k) {
@@ -81,7 +85,8 @@ void deform(const Deformation& d, const MeshForm& form, std::span<Vec3> position
       p = p + d.targets[k].positions[i] * weight;
       if (smooth && !d.targets[k].normals.empty()) n = n + d.targets[k].normals[i] * weight;
     }
-    const Columns map(d.influences.empty() ? form.joints[0] : blend(form.joints, d.influences[i]));
+    const std::span<const Influence> here = influences.subspan(i * per_vertex, per_vertex);
+    const Columns map(here.empty() ? form.joints[0] : blend(form.joints, here));
     positions[i] = within(map.point(p));
     if (smooth) normals[i] = unitOr(map.normal(n), {0, 0, 1});
   }

@@ -23,7 +23,7 @@ struct MorphTarget {
   std::vector<Vec3> normals;  // empty: they stay
 };
 
-// The joints that move a vertex, and their shares, whose sum is 1.
+// Joints that move a vertex, and their shares.
 struct Influence {
   std::array<std::uint16_t, 4> joints{};
   std::array<float, 4> weights{1, 0, 0, 0};
@@ -35,9 +35,10 @@ struct Deformation {
   std::vector<MorphTarget> targets = {};
   std::vector<double> weights = {};  // of the targets, where the track has no keys
   KeyTrack weight_keys = {};
-  std::vector<Joint> joints = {};          // at least one
-  std::vector<Influence> influences = {};  // per vertex; empty: the first joint moves all
-  TimeNs period{0};                        // it repeats; 0: it stays as it is after the last key
+  std::vector<Joint> joints = {};  // at least one
+  // For each vertex as many, of which the shares sum up to 1; empty: the first joint moves all.
+  std::vector<Influence> influences = {};
+  TimeNs period{0};  // it repeats; 0: it stays as it is after the last key
 };
 
 std::size_t bytesOf(const Deformation& deformation);

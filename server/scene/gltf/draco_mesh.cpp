@@ -47,21 +47,33 @@ std::vector<T> attribute(const JsonNode& coded, const draco::Mesh& mesh, const s
 
 }  // namespace
 
-Mesh readDraco(const JsonNode& coded, const GltfBuffers& buffers, const std::string& uvs) {
-  const auto coded_mesh = decode(coded, buffers.view(coded.at("bufferView").size()).bytes);
+DracoMesh::DracoMesh(const JsonNode& coded, const GltfBuffers& buffers)
+    : coded_(coded), decoded_(decode(coded, buffers.view(coded.at("bufferView").size()).bytes)) {}
+
+DracoMesh::~DracoMesh() = default;
+
+Mesh DracoMesh::mesh(const UvSets& uv_sets) const {
   Mesh mesh;
-  mesh.positions = attribute<Vec3, 3>(coded, *coded_mesh, "POSITION");
-  mesh.normals = attribute<Vec3, 3>(coded, *coded_mesh, "NORMAL");
-  mesh.uvs = attribute<Vec2, 2>(coded, *coded_mesh, uvs);
-  for (std::uint32_t i = 0; i < coded_mesh->num_faces(); ++i) {
-    const auto& face = coded_mesh->face(draco::FaceIndex(i));
+  mesh.positions = attribute<Vec3, 3>(coded_, *decoded_, "POSITION");
+  mesh.normals = attribute<Vec3, 3>(coded_, *decoded_, "NORMAL");
+  mesh.uvs = attribute<Vec2, 2>(coded_, *decoded_, texCoord(uv_sets.first));
+  if (uv_sets.second) mesh.second_uvs = attribute<Vec2, 2>(coded_, *decoded_, texCoord(*uv_sets.second));
+  for (std::uint32_t i = 0; i < decoded_->num_faces(); ++i) {
+    const auto& face = decoded_->face(draco::FaceIndex(i));
     const std::array<std::uint32_t, 3> corners{face[0].value(), face[1].value(), face[2].value()};
     for (const std::uint32_t corner : corners)
-      if (corner >= mesh.positions.size()) throw coded.error("a triangle has a corner that is no vertex");
+      if (corner >= mesh.positions.size()) throw coded_.error("a triangle has a corner that is no vertex");
     mesh.triangles.push_back(corners);
   }
-  if (mesh.triangles.empty()) throw coded.error("has no triangle");
+  if (mesh.triangles.empty()) throw coded_.error("has no triangle");
   return mesh;
+}
+
+std::vector<float> DracoMesh::fours(const std::string& name) const {
+  std::vector<float> numbers;
+  for (const auto& four : attribute<std::array<float, 4>, 4>(coded_, *decoded_, name))
+    numbers.insert(numbers.end(), four.begin(), four.end());
+  return numbers;
 }
 
 }  // namespace saccade

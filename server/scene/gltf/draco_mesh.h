@@ -1,15 +1,29 @@
-// Meshes of KHR_draco_mesh_compression.
+// A mesh of KHR_draco_mesh_compression.
 #pragma once
 
-#include <string>
+#include <memory>
 
-#include "scene/gltf/gltf_buffers.h"
-#include "scene/scene.h"
+#include "scene/gltf/gltf_primitive.h"
+
+namespace draco {
+class Mesh;
+}
 
 namespace saccade {
 
-// `coded`: the extension of a part of a mesh. `uvs`: the name of the attribute of its texture coordinates.
-// The result is as that of readPrimitive(). Throws SceneError.
-Mesh readDraco(const JsonNode& coded, const GltfBuffers& buffers, const std::string& uvs);
+class DracoMesh {
+ public:
+  // Decodes all. `coded`: the extension of a part of a mesh. Throws SceneError, as all members do.
+  DracoMesh(const JsonNode& coded, const GltfBuffers& buffers);
+  ~DracoMesh();
+
+  Mesh mesh(const UvSets& uv_sets) const;  // as readPrimitive()
+  // Four finite numbers a vertex; empty where there is no such attribute.
+  std::vector<float> fours(const std::string& name) const;
+
+ private:
+  const JsonNode coded_;
+  std::unique_ptr<draco::Mesh> decoded_;
+};
 
 }  // namespace saccade

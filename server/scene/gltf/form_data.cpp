@@ -22,6 +22,43 @@ bool isAffine(const float* m) {
   return std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1) <= kRow;
 }
 
+std::string nameOf(const char* attribute, std::size_t set) {
+  return std::string(attribute) + "_" + std::to_string(set);
+}
+
+// Of JOINTS: four joints each.
+std::size_t countSets(const JsonNode& part) {
+  constexpr std::size_t kMostSets = 4;
+  const JsonNode attributes = part.at("attributes");
+  std::size_t count = 1;
+  while (attributes.find(nameOf("JOINTS", count).c_str())) ++count;
+  if (count > kMostSets)
+    throw part.error("has more than " + std::to_string(4 * kMostSets) + " joints a vertex");
+  return count;
+}
+
+Influence influence(const JsonNode& part, const float* numbers, const float* weights, std::size_t joints) {
+  Influence read;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const float weight = read.weights[k] = weights[k], joint = numbers[k];
+    if (!(weight >= 0)) throw part.error("a weight of a vertex is below 0");
+    if (weight > 0 && !(joint >= 0 && joint < static_cast<float>(joints)))
+      throw part.error("a vertex has a joint beyond the " + std::to_string(joints) + " of the skin");
+    read.joints[k] = weight > 0 ? static_cast<std::uint16_t>(joint) : std::uint16_t{0};
+  }
+  return read;
+}
+
+// Makes the weights of a vertex sum up to 1.
+void normalize(const JsonNode& part, std::span<Influence> influences) {
+  float sum = 0;
+  for (const Influence& one : influences)
+    for (const float weight : one.weights) sum += weight;
+  if (!(sum > 0)) throw part.error("all weights of a vertex are 0");
+  for (Influence& one : influences)
+    for (float& weight : one.weights) weight /= sum;
+}
+
 }  // namespace
 
 std::size_t targetCount(const JsonNode& mesh) {
@@ -59,26 +96,17 @@ std::vector<MorphTarget> readTargets(const JsonNode& root, const GltfBuffers& bu
   return targets;
 }
 
-std::vector<Influence> readInfluences(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& part,
-                                      std::size_t vertices, std::size_t joints) {
-  const JsonNode attributes = part.at("attributes");
-  const std::vector<float> numbers = readAttribute(root, buffers, attributes, "JOINTS_0", 4, vertices),
-                           weights = readAttribute(root, buffers, attributes, "WEIGHTS_0", 4, vertices);
-  if (numbers.empty() || weights.empty()) throw part.error("a skin needs JOINTS_0 and WEIGHTS_0");
-  std::vector<Influence> all(vertices);
-  for (std::size_t i = 0; i < vertices; ++i) {
-    float sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const float weight = all[i].weights[k] = weights[4 * i + k], joint = numbers[4 * i + k];
-      if (!(weight >= 0)) throw part.error("a weight of WEIGHTS_0 is below 0");
-      if (weight > 0 && !(joint >= 0 && joint < static_cast<float>(joints)))
-        throw part.error("JOINTS_0 names a joint beyond the " + std::to_string(joints) + " of the skin");
-      all[i].joints[k] = weight > 0 ? static_cast<std::uint16_t>(joint) : std::uint16_t{0};
-      sum += weight;
-    }
-    if (!(sum > 0)) throw part.error("all weights of a vertex are 0");
-    for (float& weight : all[i].weights) weight /= sum;
+std::vector<Influence> readInfluences(const JsonNode& part, const ReadFours& read, std::size_t vertices,
+                                      std::size_t joints) {
+  const std::size_t sets = countSets(part);
+  std::vector<Influence> all(sets * vertices);
+  for (std::size_t set = 0; set < sets; ++set) {
+    const std::vector<float> numbers = read(nameOf("JOINTS", set)), weights = read(nameOf("WEIGHTS", set));
+    if (numbers.empty() || weights.empty()) throw part.error("a skin needs JOINTS_0 and WEIGHTS_0");
+    for (std::size_t i = 0; i < vertices; ++i)
+      all[sets * i + set] = influence(part, &numbers[4 * i], &weights[4 * i], joints);
   }
+  for (std::size_t i = 0; i < vertices; ++i) normalize(part, std::span(all).subspan(sets * i, sets));
   return all;
 }
 

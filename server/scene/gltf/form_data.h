@@ -1,6 +1,8 @@
 // The arrays of skins and morph targets of a glTF file [glTF 2.0, 3.7.2.2, 3.7.3].
 #pragma once
 
+#include <functional>
+
 #include "scene/gltf/gltf_buffers.h"
 #include "scene/scene.h"
 
@@ -19,8 +21,11 @@ std::vector<Affine> readBinds(const JsonNode& root, const GltfBuffers& buffers, 
 std::vector<MorphTarget> readTargets(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& part,
                                      const Mesh& mesh);
 
-// The first four of each vertex, with a sum of 1.
-std::vector<Influence> readInfluences(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& part,
-                                      std::size_t vertices, std::size_t joints);
+// Reads an attribute of four finite numbers a vertex, by its name; empty where there is none.
+using ReadFours = std::function<std::vector<float>(const std::string& name)>;
+
+// See Deformation::influences. A vertex has four joints for each set of JOINTS that the part has, up to 16.
+std::vector<Influence> readInfluences(const JsonNode& part, const ReadFours& read, std::size_t vertices,
+                                      std::size_t joints);
 
 }  // namespace saccade

@@ -2,12 +2,13 @@
 //
 // Supported:
 //   node      tree of TRS or matrices; its name is that of an object, unique by "@index"
-//   mesh      triangles, strips, fans, with and without indices; NORMAL (else flat), TEXCOORD of any one set,
-//             COLOR_0 without its alpha
-//   form      skins of four joints a vertex, morph targets of POSITION and NORMAL
+//   mesh      triangles, strips, fans, with and without indices; NORMAL (else flat), TEXCOORD of any two
+//             sets, COLOR_0 without its alpha
+//   form      skins of up to 16 joints a vertex, morph targets of POSITION and NORMAL
 //   data      sparse, KHR_mesh_quantization, EXT_meshopt_compression, KHR_draco_mesh_compression
-//   material  metallic-roughness, normal map, KHR_materials_emissive_strength, alphaMode; both sides
-//             KHR_materials_ior, _specular without textures, _transmission as glass, _volume as solid glass
+//   material  metallic-roughness, normal map, emission and KHR_materials_emissive_strength, alphaMode; both
+//             sides; KHR_materials_ior, _specular without textures, _transmission as glass, _volume as solid
+//             glass
 //   texture   PNG, JPEG, EXT_texture_webp; KHR_texture_transform; repeats, is mirrored, or clamped
 //   camera    perspective; each is a named path, and the first the scene's own
 //   light     KHR_lights_punctual; our own SACCADE_sky, even or a picture

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/gltf/form_data.h"
+#include "scene/gltf/draco_mesh.h"
 #include "scene/gltf/gltf_motions.h"
+#include "scene/gltf/gltf_primitive.h"
 #include "scene/mesh/mesh.h"
 #include "scene/shape_box.h"
 
@@ -135,6 +136,17 @@ std::vector<Joint> GltfForms::readJoints(const GltfForm& form, const Affine& to_
   return joints;
 }
 
+// Decodes a mesh that is compressed once more.
+ReadFours GltfForms::foursOf(const JsonNode& part, std::size_t vertices) const {
+  if (const auto coded = part.extension("KHR_draco_mesh_compression"))
+    return [mesh = std::make_shared<DracoMesh>(*coded, *buffers_)](const std::string& name) {
+      return mesh->fours(name);
+    };
+  return [this, attributes = part.at("attributes"), vertices](const std::string& name) {
+    return readAttribute(root_, *buffers_, attributes, name, 4, vertices);
+  };
+}
+
 Deformation GltfForms::place(const GltfForm& form, const JsonNode& part, const Affine& to_scene,
                              Mesh& mesh) const {
   Deformation d;
@@ -146,7 +158,8 @@ Deformation GltfForms::place(const GltfForm& form, const JsonNode& part, const A
     throw part.error("has another number of targets than other parts of its mesh");
   d.joints = readJoints(form, to_scene);
   if (form.skin)
-    d.influences = readInfluences(root_, *buffers_, part, mesh.positions.size(), d.joints.size());
+    d.influences =
+        readInfluences(part, foursOf(part, mesh.positions.size()), mesh.positions.size(), d.joints.size());
   NodePoses poses(scene_.nodes);
   MeshForm first, last;
   setForm(d, poses, TimeNs{0}, first);

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "scene/gltf/form_data.h"
 #include "scene/gltf/gltf_animation.h"
 #include "scene/scene.h"
 
@@ -39,6 +40,7 @@ class GltfForms {
   std::vector<std::size_t> jointsOf(std::size_t skin) const;
   std::vector<Joint> readJoints(const GltfForm& form, const Affine& to_scene) const;
   std::vector<double> weightsOf(const JsonNode& node) const;
+  ReadFours foursOf(const JsonNode& part, std::size_t vertices) const;
 
   const JsonNode root_;
   const GltfBuffers* buffers_;

@@ -39,8 +39,8 @@ class Reader {
       : json_(json), pictures_(pictures), m_(material), unread_(unread) {}
 
   void readSurface();
-  Rgb readEmission(int& texture);
-  std::size_t coordinates() const { return coordinates_.value_or(0); }
+  Rgb readEmission();
+  UvSets uvSets() const { return {first_.value_or(0), second_}; }
 
  private:
   std::optional<SurfaceColor> texture(const JsonNode& of, const char* key, const PictureUse& use);
@@ -55,18 +55,23 @@ class Reader {
   GltfPictures& pictures_;
   Material& m_;
   std::vector<std::string>& unread_;
-  std::optional<std::size_t> coordinates_;
+  std::optional<std::size_t> first_, second_;  // sets of texture coordinates
 };
 
-// A mesh has one set of texture coordinates: that of the first texture.
+// A mesh has two sets of texture coordinates: that of the first texture, and the next other one.
 std::optional<SurfaceColor> Reader::texture(const JsonNode& of, const char* key, const PictureUse& use) {
   const auto info = of.find(key);
   if (!info) return {};
   const std::size_t set = GltfPictures::coordinates(*info);
-  if (!coordinates_) coordinates_ = set;
-  if (set == *coordinates_) return pictures_.read(*info, use);
-  tell(std::string(key) + " is not shown: it has other texture coordinates than the first texture");
-  return {};
+  if (!first_) first_ = set;
+  if (set != *first_ && !second_) second_ = set;
+  if (set != *first_ && set != *second_) {
+    tell(std::string(key) + " is not shown: it has the third set of texture coordinates");
+    return {};
+  }
+  SurfaceColor read = pictures_.read(*info, use);
+  read.second_uvs = set != *first_;
+  return read;
 }
 
 void Reader::readSurface() {
@@ -153,19 +158,15 @@ void Reader::readTransmission() {
   m_.transmittance = m_.reflectance;
 }
 
-Rgb Reader::readEmission(int& index) {
+Rgb Reader::readEmission() {
   const auto strength = json_.extension(kStrength);
   const double factor = strength ? strength->number("emissiveStrength", 1) : 1;
   const Rgb given = color(json_, "emissiveFactor", {0, 0, 0}, kMaxRadiance);
   if (!(factor >= 0 && factor * std::max({given.x, given.y, given.z}) <= kMaxRadiance))
     throw json_.error("emissiveStrength must be at least 0, and the light at most 1e18");
   const Rgb emission = given * single(factor);
-  const auto info = json_.find("emissiveTexture");
   if (luminance(emission) <= 0) return {};
-  if (info) {
-    tell("all of it gives the mean light of its emissiveTexture");
-    index = pictures_.read(*info, {PictureUse::Kind::kMean}).texture;
-  }
+  m_.emission = texture(json_, "emissiveTexture", {PictureUse::Kind::kEmission}).value_or(kWhite);
   return emission;
 }
 
@@ -177,9 +178,9 @@ GltfMaterial readMaterial(const JsonNode& json, const std::string& name, GltfPic
   read.material.name = name;
   Reader reader(json, pictures, read.material, unread);
   reader.readSurface();
-  read.emission = reader.readEmission(read.emission_texture);
+  read.emission = reader.readEmission();
   read.emits_back = json.flag("doubleSided", false);
-  read.coordinates = reader.coordinates();
+  read.uv_sets = reader.uvSets();
   return read;
 }
 

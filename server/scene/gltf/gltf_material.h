@@ -2,15 +2,15 @@
 #pragma once
 
 #include "scene/gltf/gltf_pictures.h"
+#include "scene/gltf/gltf_primitive.h"
 
 namespace saccade {
 
 struct GltfMaterial {
   Material material;
-  std::size_t coordinates = 0;  // the set of texture coordinates of its textures: the number of TEXCOORD
-  Rgb emission{};               // radiance
-  bool emits_back = false;      // from both sides
-  int emission_texture = -1;    // of Scene::textures: a factor of one pixel; -1: none
+  UvSets uv_sets = {};      // of its textures
+  Rgb emission{};           // radiance, times Material::emission
+  bool emits_back = false;  // from both sides
 };
 
 // `json`: an empty object for glTF's default material. Adds sentences on what is not shown to `unread`.

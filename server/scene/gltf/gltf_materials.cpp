@@ -7,6 +7,19 @@
 #include "scene/gltf/two_sides.h"
 
 namespace saccade {
+namespace {
+
+// The picture over this mean.
+Texture scaled(const Texture& picture, Rgb mean) {
+  const auto over = [](float v, float m) { return m > 0 ? v / m : 0; };
+  std::vector<Rgb> pixels = picture.pixels();
+  for (Rgb& c : pixels) c = {over(c.x, mean.x), over(c.y, mean.y), over(c.z, mean.z)};
+  Texture all(picture.width(), picture.height(), std::move(pixels));
+  all.setWrap(picture.wrapU(), picture.wrapV());
+  return all;
+}
+
+}  // namespace
 
 int GltfMaterials::read(std::optional<std::size_t> i) {
   const auto [found, added] = index_.try_emplace(i, static_cast<int>(scene_.materials.size()));
@@ -21,13 +34,27 @@ int GltfMaterials::read(std::optional<std::size_t> i) {
   return found->second;
 }
 
+// The mean of the emission of each material. Its picture is divided by it.
+std::vector<Rgb> GltfMaterials::takeMeans() {
+  std::map<int, Rgb> of_textures;
+  std::vector<Rgb> means;
+  for (const Material& m : scene_.materials) {
+    means.push_back({1, 1, 1});
+    if (!isTextured(m.emission)) continue;
+    Texture& picture = scene_.textures[static_cast<std::size_t>(m.emission.texture)];
+    const auto [found, added] = of_textures.try_emplace(m.emission.texture, picture.mean());
+    if (added) picture = scaled(picture, found->second);
+    means.back() = found->second;
+  }
+  return means;
+}
+
 void GltfMaterials::setEmission() {
+  const std::vector<Rgb> means = takeMeans();
   std::vector<Mesh> backs;
   for (Mesh& mesh : scene_.meshes) {
     const GltfMaterial& of = read_[static_cast<std::size_t>(mesh.material)];
-    const auto texture = static_cast<std::size_t>(of.emission_texture);
-    const Rgb factor = of.emission_texture < 0 ? Rgb{1, 1, 1} : scene_.textures[texture].pixels()[0];
-    mesh.radiance = of.emission * factor;
+    mesh.radiance = of.emission * means[static_cast<std::size_t>(mesh.material)];
     if (of.emits_back && emits(mesh) && isOpen(mesh)) backs.push_back(backOf(mesh));
   }
   std::ranges::move(backs, std::back_inserter(scene_.meshes));

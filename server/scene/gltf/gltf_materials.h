@@ -14,15 +14,15 @@ class GltfMaterials {
 
   // The index in Scene::materials of materials[i] of the file, or of glTF's default material.
   int read(std::optional<std::size_t> i);
-  // The set of texture coordinates of one of Scene::materials: the number of TEXCOORD.
-  std::size_t coordinates(int material) const {
-    return read_[static_cast<std::size_t>(material)].coordinates;
-  }
+  // The texture coordinates of one of Scene::materials.
+  const UvSets& uvSets(int material) const { return read_[static_cast<std::size_t>(material)].uv_sets; }
   // Gives meshes the light of their materials, once pictures have been read. Open ones that emit from both
   // sides get a second mesh for their back.
   void setEmission();
 
  private:
+  std::vector<Rgb> takeMeans();
+
   const JsonNode root_;
   GltfPictures& pictures_;
   Scene& scene_;

@@ -44,12 +44,13 @@ void GltfMeshes::add(const GltfNode& node, const Placed& placed) {
 void GltfMeshes::addPart(const JsonNode& part, Placed placed) {
   count(part);
   const bool coded = part.extension("KHR_draco_mesh_compression").has_value();
-  if (placed.form && coded) {
-    scene_.unread.push_back(placed.name + " keeps its form, as it is compressed with Draco");
+  if (placed.form && coded && part.count("targets") > 0) {
+    scene_.unread.push_back(placed.name +
+                            " keeps its form: it has morph targets, and is compressed with Draco");
     placed.form.reset();
   }
   const int material = materials_.read(part.index("material", root_.count("materials")));
-  const std::size_t coordinates = materials_.coordinates(material), index = scene_.meshes.size();
+  const std::size_t index = scene_.meshes.size();
   const BsdfKind kind = scene_.materials[static_cast<std::size_t>(material)].model.kind;
   if (part.at("attributes").find("COLOR_0") && (coded || kind != BsdfKind::kMetallicRoughness))
     scene_.unread.push_back("the colours of the vertices of " + placed.name + " are not shown");
@@ -60,12 +61,12 @@ void GltfMeshes::addPart(const JsonNode& part, Placed placed) {
     scene_.deformations.emplace_back();
   }
   loads_.add([part](const std::string& what) { return part.error(what); },
-             [=, this] { load(part, placed, coordinates, scene_.meshes[index]); });
+             [=, this] { load(part, placed, materials_.uvSets(material), scene_.meshes[index]); });
 }
 
-void GltfMeshes::load(const JsonNode& part, const Placed& placed, std::size_t coordinates,
+void GltfMeshes::load(const JsonNode& part, const Placed& placed, const UvSets& uv_sets,
                       Mesh& outline) const {
-  Mesh mesh = readPrimitive(root_, *buffers_, part, coordinates);
+  Mesh mesh = readPrimitive(root_, *buffers_, part, uv_sets);
   if (placed.form) {
     Deformation deformation = forms_.place(*placed.form, part, placed.to_scene, mesh);
     if (outline.deformation != kKeepsForm)

@@ -26,7 +26,7 @@ class GltfMeshes {
 
  private:
   void addPart(const JsonNode& part, Placed placed);
-  void load(const JsonNode& part, const Placed& placed, std::size_t coordinates, Mesh& outline) const;
+  void load(const JsonNode& part, const Placed& placed, const UvSets& uv_sets, Mesh& outline) const;
   void count(const JsonNode& part);
 
   const JsonNode root_;

@@ -42,7 +42,6 @@ Texture loadFor(const PictureFile& source, const PictureUse& use) {
     if (use.kind == PictureUse::Kind::kCutOut) c.x = c.y = c.z = c.x >= use.threshold ? 1 : 0;
   }
   Texture texture(picture.width, picture.height, std::move(picture.pixels));
-  if (use.kind == PictureUse::Kind::kMean) return Texture(1, 1, {texture.mean()});
   texture.setWrap(use.wrap_u, use.wrap_v);
   return texture;
 }

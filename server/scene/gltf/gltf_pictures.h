@@ -17,7 +17,7 @@ struct PictureUse {
     kCoverage,  // the alpha
     kCutOut,    // 1 where the alpha is at least `threshold`, 0 elsewhere
     kNumbers,   // linear
-    kMean,      // the mean of its colours alone, which are sRGB
+    kEmission,  // sRGB, a texture of its own: GltfMaterials changes it
   };
   Kind kind = Kind::kColor;
   Rgb factor{1, 1, 1};

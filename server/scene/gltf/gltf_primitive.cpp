@@ -53,6 +53,10 @@ std::vector<Rgb> readColors(const JsonNode& root, const GltfBuffers& buffers, co
 
 }  // namespace
 
+std::string texCoord(std::size_t set) {
+  return "TEXCOORD_" + std::to_string(set);
+}
+
 bool hasTriangles(const JsonNode& part) {
   const std::size_t mode = part.size("mode", kTriangles);
   if (mode >= kModes) throw part.error("mode must be from 0 to 6");
@@ -81,16 +85,20 @@ std::vector<Vec3> readVectors(const JsonNode& root, const GltfBuffers& buffers, 
 }
 
 Mesh readPrimitive(const JsonNode& root, const GltfBuffers& buffers, const JsonNode& part,
-                   std::size_t coordinates) {
-  const std::string uvs = "TEXCOORD_" + std::to_string(coordinates);
-  if (const auto coded = part.extension("KHR_draco_mesh_compression")) return readDraco(*coded, buffers, uvs);
+                   const UvSets& uv_sets) {
+  if (const auto coded = part.extension("KHR_draco_mesh_compression"))
+    return DracoMesh(*coded, buffers).mesh(uv_sets);
   const std::size_t vertices =
       accessorCount(root, part.at("attributes").at("POSITION").index(root.count("accessors")));
   Mesh mesh;
   const JsonNode attributes = part.at("attributes");
   mesh.positions = readVectors(root, buffers, attributes, "POSITION", vertices);
   mesh.normals = readVectors(root, buffers, attributes, "NORMAL", vertices);
-  mesh.uvs = pairs(readAttribute(root, buffers, attributes, uvs, 2, vertices));
+  const auto uvs = [&](std::size_t set) {
+    return pairs(readAttribute(root, buffers, attributes, texCoord(set), 2, vertices));
+  };
+  mesh.uvs = uvs(uv_sets.first);
+  if (uv_sets.second) mesh.second_uvs = uvs(*uv_sets.second);
   mesh.colors = readColors(root, buffers, attributes, vertices);
   mesh.triangles = triangles(corners(root, buffers, part, vertices), part.size("mode", kTriangles));
   if (mesh.triangles.empty()) throw part.error("has no triangle");

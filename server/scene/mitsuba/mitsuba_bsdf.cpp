@@ -5,171 +5,111 @@
 #include <limits>
 
 #include "scene/conductors.h"
-#include "scene/dielectrics.h"
+#include "scene/mitsuba/mitsuba_gloss.h"
 
 namespace saccade {
 namespace {
 
-// Mitsuba's defaults.
-constexpr const char *kAir = "air", *kGlass = "bk7", *kPolypropylene = "polypropylene";
-constexpr SurfaceColor kHalf = constantColor({0.5f, 0.5f, 0.5f});
-
-// One BSDF, property by property.
-class BsdfReader {
- public:
-  BsdfReader(const XmlFile& file, pugi::xml_node bsdf, TextureReader& textures, Material& material)
-      : file_(file), bsdf_(bsdf), properties_(file, bsdf), textures_(textures), material_(material) {}
-
-  void read(BsdfKind kind);
-
- private:
-  void readDiffuse();
-  void readPlastic();
-  std::optional<Rgb> readIndex(const std::string& name);
-  void readConductor();
-  void readDielectric();
-  void readMetallicRoughness();
-  void readRoughness();
-  void ignoreRoughness();
-  void readIor(const std::string& interior_default);
-  double index(const std::string& name, const std::string& fallback);
-
-  const XmlFile& file_;
-  pugi::xml_node bsdf_;
-  Properties properties_;
-  TextureReader& textures_;
-  Material& material_;
-};
-
-void BsdfReader::read(BsdfKind kind) {
-  material_.model.kind = kind;
-  switch (kind) {
-    case BsdfKind::kDiffuse:
-      readDiffuse();
-      break;
-    case BsdfKind::kRoughPlastic:
-      readRoughness();
-      [[fallthrough]];
-    case BsdfKind::kPlastic:
-      readPlastic();
-      break;
-    case BsdfKind::kRoughConductor:
-      readRoughness();
-      [[fallthrough]];
-    case BsdfKind::kConductor:
-      readConductor();
-      break;
-    case BsdfKind::kRoughDielectric:
-      readRoughness();
-      [[fallthrough]];
-    case BsdfKind::kDielectric:
-    case BsdfKind::kThinDielectric:
-      readDielectric();
-      break;
-    case BsdfKind::kMetallicRoughness:
-      readMetallicRoughness();
-      break;
-    case BsdfKind::kCount:
-      break;
-  }
-  if (kind != BsdfKind::kDiffuse && kind != BsdfKind::kMetallicRoughness)
-    material_.specular = textures_.readColor(properties_, "specular_reflectance", kWhite);
-  if (traitsOf(kind).delta) ignoreRoughness();
-  properties_.finish();
-}
-
-// Exporters write these for smooth surfaces too, where Mitsuba does not read them.
-void BsdfReader::ignoreRoughness() {
-  properties_.ignore("string", {"distribution"});
-  properties_.ignore("float", {"alpha"});
-}
-
 // Mitsuba 0.6 takes either name.
-void BsdfReader::readDiffuse() {
-  const SurfaceColor other = textures_.readColor(properties_, "diffuse_reflectance", kHalf);
-  material_.reflectance = textures_.readColor(properties_, "reflectance", other);
+void readDiffuse(BsdfSource& from, Material& material) {
+  const SurfaceColor other = from.textures.readColor(from.properties, "diffuse_reflectance", kHalf);
+  material.reflectance = from.textures.readColor(from.properties, "reflectance", other);
 }
 
-void BsdfReader::readPlastic() {
-  readIor(kPolypropylene);
-  material_.reflectance = textures_.readColor(properties_, "diffuse_reflectance", kHalf);
-  material_.model.nonlinear = properties_.flag("nonlinear", false);
+void readSpecular(BsdfSource& from, Material& material) {
+  material.specular = from.textures.readColor(from.properties, "specular_reflectance", kWhite);
 }
 
-// A part of an index. Colours outside of Rec. 709 have parts below 0, which become 0.
-std::optional<Rgb> BsdfReader::readIndex(const std::string& name) {
+void readPlastic(BsdfSource& from, Material& material) {
+  material.model.ior = readIor(from, "polypropylene");
+  material.reflectance = from.textures.readColor(from.properties, "diffuse_reflectance", kHalf);
+  material.model.nonlinear = from.properties.flag("nonlinear", false);
+  readSpecular(from, material);
+}
+
+// A part of a metal's index. Colours outside of Rec. 709 have parts below 0, which become 0.
+std::optional<Rgb> readPart(BsdfSource& from, const std::string& name) {
   constexpr float kMax = std::numeric_limits<float>::max();
-  std::optional<Rgb> index = properties_.quantity(name, kMax, -1);
+  std::optional<Rgb> index = from.properties.quantity(name, kMax, -1);
   if (index) index = Rgb{std::max(index->x, 0.f), std::max(index->y, 0.f), std::max(index->z, 0.f)};
   return index;
 }
 
 // eta and k, or a metal by name.
-void BsdfReader::readConductor() {
-  const auto eta = readIndex("eta"), k = readIndex("k");
-  const std::string name = properties_.text("material");
-  const float outside = static_cast<float>(index("ext_eta", "vacuum"));
+void readConductor(BsdfSource& from, Material& material) {
+  const auto eta = readPart(from, "eta"), k = readPart(from, "k");
+  const std::string name = from.properties.text("material");
+  const float outside = static_cast<float>(readIndex(from, "ext_eta", "vacuum"));
   if (eta.has_value() != k.has_value() || (eta && !name.empty()))
-    throw file_.error(bsdf_, "a metal needs eta and k, or <string name=\"material\">, or neither");
+    throw from.error("a metal needs eta and k, or <string name=\"material\">, or neither");
   ComplexIndex metal{name, eta.value_or(Rgb{}), k.value_or(Rgb{})};
   if (!eta) {
-    const ComplexIndex* found = findConductor(name.empty() ? file_.isMitsuba0() ? "Cu" : "none" : name);
-    if (!found) throw file_.error(bsdf_, "the metal '" + name + "' is not known; known: " + conductorNames());
+    const ComplexIndex* found = findConductor(name.empty() ? from.file.isMitsuba0() ? "Cu" : "none" : name);
+    if (!found) throw from.error("the metal '" + name + "' is not known; known: " + conductorNames());
     metal = *found;
   }
-  material_.model.eta = metal.eta / outside;
-  material_.model.k = metal.k / outside;
+  material.model.eta = metal.eta / outside;
+  material.model.k = metal.k / outside;
+  readSpecular(from, material);
 }
 
-void BsdfReader::readDielectric() {
-  readIor(kGlass);
-  constexpr float kLeastBend =
-      1e-3f;  // nearer to 1, numbers are too coarse to tell microfacets from straight on
-  if (material_.model.kind == BsdfKind::kRoughDielectric && std::abs(material_.model.ior - 1) < kLeastBend)
-    throw file_.error(bsdf_, "int_ior and ext_ior of rough glass must differ by 0.001 at least");
-  material_.transmittance = textures_.readColor(properties_, "specular_transmittance", kWhite);
+void readDielectric(BsdfSource& from, Material& material) {
+  constexpr float kLeastBend = 1e-3f;  // nearer to 1, microfacets cannot be told from straight on
+  material.model.ior = readIor(from, kGlass);
+  if (material.model.kind == BsdfKind::kRoughDielectric && std::abs(material.model.ior - 1) < kLeastBend)
+    throw from.error("int_ior and ext_ior of rough glass must differ by 0.001 at least");
+  material.transmittance = from.textures.readColor(from.properties, "specular_transmittance", kWhite);
+  readSpecular(from, material);
 }
 
 // Our own, with names as those of Mitsuba's principled.
-void BsdfReader::readMetallicRoughness() {
-  readIor(kGlass);
-  material_.reflectance = textures_.readColor(properties_, "base_color", kHalf);
-  const double metallic = properties_.number("metallic", 0), roughness = properties_.number("roughness", 0.5);
+void readMetallicRoughness(BsdfSource& from, Material& material) {
+  material.model.ior = readIor(from, kGlass);
+  material.reflectance = from.textures.readColor(from.properties, "base_color", kHalf);
+  const double metallic = from.properties.number("metallic", 0),
+               roughness = from.properties.number("roughness", 0.5);
   if (!(metallic >= 0 && metallic <= 1 && roughness >= 0 && roughness <= 1))
-    throw file_.error(bsdf_, "metallic and roughness must be within [0, 1]");
-  material_.metallic_roughness =
+    throw from.error("metallic and roughness must be within [0, 1]");
+  material.metallic_roughness =
       constantColor({0, static_cast<float>(roughness), static_cast<float>(metallic)});
 }
 
-void BsdfReader::readRoughness() {
-  const double both = properties_.number("alpha", 0.1);
-  const double alpha = properties_.number("alpha_u", both), across = properties_.number("alpha_v", both);
-  if (!(alpha >= 0 && alpha <= 1)) throw file_.error(bsdf_, "alpha must be within [0, 1]");
-  if (alpha != across)
-    throw file_.error(bsdf_, "alpha_u and alpha_v must be equal: brushed surfaces are not supported");
-  material_.model.alpha = static_cast<float>(alpha);
-  const std::string distribution = properties_.text("distribution");
-  if (!distribution.empty() && distribution != "beckmann" && distribution != "ggx")
-    throw file_.error(bsdf_,
-                      "the distribution '" + distribution + "' is not supported; supported: beckmann, ggx");
-  material_.model.microfacets = distribution == "ggx" ? MicrofacetKind::kGgx : MicrofacetKind::kBeckmann;
-  properties_.ignore("boolean", {"sample_visible"});
+// Exporters write these for smooth surfaces too, where Mitsuba does not read them.
+void ignoreRoughness(Properties& properties) {
+  properties.ignore("string", {"distribution"});
+  properties.ignore("float", {"alpha"});
 }
 
-void BsdfReader::readIor(const std::string& interior_default) {
-  material_.model.ior = static_cast<float>(index("int_ior", interior_default) / index("ext_ior", kAir));
-}
-
-// A number, or a material by name.
-double BsdfReader::index(const std::string& name, const std::string& fallback) {
-  const std::string given = properties_.text(name), material = given.empty() ? fallback : given;
-  const std::optional<double> found = findDielectric(material);
-  if (!found)
-    throw file_.error(bsdf_,
-                      name + ": the material '" + material + "' is not known; known: " + dielectricNames());
-  const double value = properties_.number(name, *found);
-  if (!(value >= 1e-3 && value <= 1e3)) throw file_.error(bsdf_, name + " must be within [0.001, 1000]");
-  return value;
+void readKind(BsdfKind kind, BsdfSource& from, Material& material) {
+  material.model.kind = kind;
+  switch (kind) {
+    case BsdfKind::kDiffuse:
+      return readDiffuse(from, material);
+    case BsdfKind::kRoughPlastic:
+      readRoughness(from, material.model);
+      [[fallthrough]];
+    case BsdfKind::kPlastic:
+      return readPlastic(from, material);
+    case BsdfKind::kRoughConductor:
+      readRoughness(from, material.model);
+      [[fallthrough]];
+    case BsdfKind::kConductor:
+      return readConductor(from, material);
+    case BsdfKind::kRoughDielectric:
+      readRoughness(from, material.model);
+      [[fallthrough]];
+    case BsdfKind::kDielectric:
+    case BsdfKind::kThinDielectric:
+      return readDielectric(from, material);
+    case BsdfKind::kMetallicRoughness:
+      return readMetallicRoughness(from, material);
+    case BsdfKind::kPhong:
+      return readPhong(from, material);
+    case BsdfKind::kWard:
+      return readWard(from, material);
+    case BsdfKind::kCount:
+      return;
+  }
 }
 
 }  // namespace
@@ -177,14 +117,17 @@ double BsdfReader::index(const std::string& name, const std::string& fallback) {
 std::vector<std::string> bsdfTypes() {
   std::vector<std::string> names;
   for (const BsdfTraits& row : kBsdfTraits) names.push_back(row.name);
+  names.push_back(kRoughDiffuse);
   return names;
 }
 
-void readBsdf(const XmlFile& file, pugi::xml_node bsdf, TextureReader& textures, Material& material) {
-  const std::string name = supportedType(file, bsdf, bsdfTypes());
-  for (const BsdfTraits& row : kBsdfTraits) {
-    if (row.name == name) BsdfReader(file, bsdf, textures, material).read(row.kind);
-  }
+void readBsdf(BsdfSource from, Material& material) {
+  std::string name = supportedType(from.file, from.bsdf, bsdfTypes());
+  if (name == kRoughDiffuse) readRoughDiffuse(from), name = traitsOf(BsdfKind::kDiffuse).name;
+  for (const BsdfTraits& row : kBsdfTraits)
+    if (row.name == name) readKind(row.kind, from, material);
+  if (traitsOf(material.model.kind).delta) ignoreRoughness(from.properties);
+  from.properties.finish();
 }
 
 }  // namespace saccade

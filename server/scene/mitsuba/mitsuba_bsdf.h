@@ -1,7 +1,7 @@
 // The BSDF at the bottom of a Mitsuba material.
 #pragma once
 
-#include "scene/mitsuba/mitsuba_texture.h"
+#include "scene/mitsuba/bsdf_values.h"
 
 namespace saccade {
 
@@ -9,6 +9,6 @@ namespace saccade {
 std::vector<std::string> bsdfTypes();
 
 // Fills in a material from a <bsdf> of one of these types. Throws SceneError.
-void readBsdf(const XmlFile& file, pugi::xml_node bsdf, TextureReader& textures, Material& material);
+void readBsdf(BsdfSource from, Material& material);
 
 }  // namespace saccade

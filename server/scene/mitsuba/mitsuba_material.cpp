@@ -4,6 +4,7 @@
 
 #include "scene/files/limits.h"
 #include "scene/mitsuba/mitsuba_bsdf.h"
+#include "scene/mitsuba/mitsuba_coat.h"
 
 namespace saccade {
 namespace {
@@ -17,12 +18,13 @@ Material defaultMaterial() {
 
 std::vector<std::string> allTypes() {
   std::vector<std::string> types = bsdfTypes();
-  types.insert(types.end(), {"twosided", "mask", "bumpmap", "blendbsdf", "mixturebsdf"});
+  types.insert(types.end(),
+               {"twosided", "mask", "bumpmap", "coating", "roughcoating", "blendbsdf", "mixturebsdf"});
   return types;
 }
 
 bool isWrapper(const std::string& type) {
-  return type == "twosided" || type == "mask" || type == "bumpmap";
+  return type == "twosided" || type == "mask" || type == "bumpmap" || isCoat(type);
 }
 bool isBlend(const std::string& type) {
   return type == "blendbsdf" || type == "mixturebsdf";
@@ -54,6 +56,7 @@ Material MaterialReader::parse(pugi::xml_node bsdf, Blends blends) {
   static const std::vector<std::string> types = allTypes();
   Material material;
   std::set<std::string> wrappers;
+  pugi::xml_node coat;  // which is read after what it lies on
   for (int depth = 0; depth < kMaxBsdfDepth; ++depth) {
     if (material.name.empty()) material.name = bsdf.attribute("id").value();
     const std::string type = supportedType(file_, bsdf, types);
@@ -62,14 +65,18 @@ Material MaterialReader::parse(pugi::xml_node bsdf, Blends blends) {
       bsdf = readBlend(type, bsdf, material);
       if (bsdf) continue;
     } else if (!isWrapper(type)) {
-      readBsdf(file_, bsdf, textures_, material);
+      readBsdf({file_, bsdf, textures_, scene_.unread}, material);
     }
     if (!isWrapper(type)) {
       if (material.name.empty()) material.name = type;
+      if (coat) readCoat({file_, coat, textures_, scene_.unread}, material);
       return material;
     }
     if (!wrappers.insert(type).second && type != "twosided")
       throw file_.error(bsdf, "a " + type + " within a " + type + " is not supported");
+    if (coat && type != "twosided")
+      throw file_.error(bsdf, "a " + type + " below a coat is not supported; supported: around it");
+    if (isCoat(type)) coat = bsdf;
     bsdf = readWrapper(type, bsdf, material);
   }
   throw file_.error(bsdf, "the bsdfs are nested more than " + std::to_string(kMaxBsdfDepth) + " deep");
@@ -116,14 +123,14 @@ pugi::xml_node MaterialReader::readWrapper(const std::string& type, pugi::xml_no
   } else if (type == "mask") {
     material.opacity = textures_.readColor(properties, "opacity", constantColor({0.5f, 0.5f, 0.5f}),
                                            TextureReader::Use::kOpacity);
-  } else {
+  } else if (type == "bumpmap") {
     const pugi::xml_node height = properties.object("texture");
     if (!height) throw file_.error(bsdf, "a bumpmap needs a <texture>");
     material.height = textures_.readTexture(height);
     material.height_scale = static_cast<float>(properties.number("scale", 1));
   }
   const pugi::xml_node inner = properties.object("bsdf");
-  properties.finish();
+  if (!isCoat(type)) properties.finish();
   if (!inner) throw file_.error(bsdf, "a " + type + " bsdf needs a <bsdf> in it");
   return inner;
 }

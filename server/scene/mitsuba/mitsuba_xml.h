@@ -6,8 +6,8 @@
 //             focal_length, by default 50mm; one that mirrors is taken unmirrored, with a warning
 //   shape     obj, ply (flip_tex_coords), serialized (shape_index), rectangle, cube, disk, cylinder, sphere;
 //             face_normals of meshes in files, flip_normals
-//   bsdf      the kinds of bsdf_model.h; around one, in any order, twosided, mask, bumpmap;
-//             blends of diffuse ones, or with weights of 0 and 1
+//   bsdf      the kinds of bsdf_model.h, and roughdiffuse as diffuse; around one, in any order, twosided,
+//             mask, bumpmap; coats (mitsuba_coat.h); blends of diffuse ones, or with weights of 0 and 1
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard
 //   emitter   area, of a shape; envmap, constant, point, spot, directional; sky, sun, sunsky (mitsuba_sky.h)
 //   transform of matrix, translate, rotate, scale, lookat in order

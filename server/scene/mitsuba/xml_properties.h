@@ -23,9 +23,11 @@ class Properties {
   bool flag(const std::string& name, bool fallback);        // <boolean>
   std::string text(const std::string& name);                // <string>; empty if absent
   std::optional<Vec3d> vector(const std::string& name);     // <point> or <vector>, finite
-  // Colours, see xml_color.h: a share of light, each part in [0, 1], or a quantity, each part in [least,
+  // Colours, see xml_color.h: a share of light, each part in [0, max], or a quantity, each part in [least,
   // max].
-  std::optional<Rgb> share(const std::string& name) { return color(name, ColorUse::kShare, 0, 1); }
+  std::optional<Rgb> share(const std::string& name, float max = 1) {
+    return color(name, ColorUse::kShare, 0, max);
+  }
   std::optional<Rgb> quantity(const std::string& name, float max, float least = 0) {
     return color(name, ColorUse::kQuantity, least, max);
   }
