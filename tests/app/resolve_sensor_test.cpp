@@ -62,6 +62,8 @@ TEST(ResolveSensor, FillsInWhatIsUnset) {
   EXPECT_EQ(sensor.threshold_off(), 0.5);
   EXPECT_EQ(sensor.max_events_per_pixel_frame(), 32u);
   EXPECT_EQ(sensor.reconstruction(), v1::RECONSTRUCTION_KALMAN);
+  EXPECT_EQ(sensor.start_level(), v1::START_LEVEL_RANDOM);
+  EXPECT_TRUE(config.random_start);
   v1::Sensor other;
   resolveSensor(other, 1, 1);
   EXPECT_NE(sensor.seed(), other.seed());

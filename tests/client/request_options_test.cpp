@@ -126,7 +126,7 @@ TEST(RequestOptions, AFurtherViewHasSensorsOfItsOwn) {
 TEST(RequestOptions, EachThresholdIsASensor) {
   const auto open = openStream(
       "--threshold 0.2 --threshold 0.4 --threshold-off 0.3 --bias 0.01 --model probabilistic "
-      "--reconstruction complementary --cutoff 2");
+      "--start-level zero --reconstruction complementary --cutoff 2");
   ASSERT_EQ(open.sensors_size(), 2);
   EXPECT_EQ(open.sensors(0).threshold(), 0.2);
   EXPECT_EQ(open.sensors(1).threshold(), 0.4);
@@ -134,6 +134,7 @@ TEST(RequestOptions, EachThresholdIsASensor) {
   EXPECT_EQ(open.sensors(1).threshold_off(), 0.3);
   EXPECT_EQ(open.sensors(1).bias(), 0.01);
   EXPECT_EQ(open.sensors(1).model(), v1::EVENT_MODEL_PROBABILISTIC);
+  EXPECT_EQ(open.sensors(1).start_level(), v1::START_LEVEL_ZERO);
   EXPECT_EQ(open.sensors(1).reconstruction(), v1::RECONSTRUCTION_COMPLEMENTARY);
   EXPECT_EQ(open.sensors(1).cutoff_hz(), 2);
 }
