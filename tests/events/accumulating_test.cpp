@@ -47,8 +47,8 @@ double startLevel(const SensorConfig& config, int x, int y, int width, int heigh
   return 0;
 }
 
-// A rise R from the level v makes k events if v + R >= k C+. Over the levels of a random start, uniform in
-// (-C-, C+), the mean number is the sum over k of clamp((C+ - k C+ + R) / (C+ + C-), 0, 1). From the level 0
+// A rise R from the level v makes k events if v + R >= k C+. Levels of a random start are uniform in (-C-,
+// C+). The mean number is then the sum over k of clamp((C+ - k C+ + R) / (C+ + C-), 0, 1). From the level 0
 // it is floor(R / C+).
 TEST(Accumulating, TheFirstLevelGivesItsMeanNumberOfEvents) {
   constexpr int kSide = 200;
