@@ -81,6 +81,7 @@ TEST(ResolveSensor, EveryFieldOfNoiseIsReadAndChecked) {
     ASSERT_TRUE(field) << row.name;
     for (const double value : {row.range.max, row.range.max * 1.1, std::nan("")}) {
       v1::Sensor sensor;
+      sensor.set_model(v1::EVENT_MODEL_STOCHASTIC);
       sensor.mutable_noise()->set_photoreceptor_hz(1);
       sensor.mutable_noise()->GetReflection()->SetDouble(sensor.mutable_noise(), field, value);
       const std::string fault = faultOf(sensor);

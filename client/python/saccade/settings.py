@@ -131,7 +131,7 @@ class Settings(Needed, total=False):
     bias: PerSensor
     refractory_s: PerSensor
     cutoff_hz: PerSensor
-    model: Literal["accumulating", "probabilistic"]
+    model: Literal["accumulating", "probabilistic", "stochastic"]
     start_level: Literal["random", "zero"]
     reconstruction: Literal["direct", "complementary", "kalman"]
     max_events_per_pixel_frame: int
