@@ -5,6 +5,7 @@
 
 #include "client/options/option_range.h"
 #include "client/options/request_text.h"
+#include "saccade/wire/noise_units.h"
 #include "saccade/wire/ranges.h"
 
 namespace saccade::client {
@@ -85,7 +86,7 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
           "--noise", o.noise,
           "KEY=NUMBER, an amount of the sensor's noise, such as leak_hz=0.1; may be given again, or several "
           "with commas. KEY is one of " +
-              fieldNames(*v1::Noise::descriptor()))
+              noiseUnitTexts())
       ->allow_extra_args(false)
       ->delimiter(',');
   command.add_option("--max-artefact-odds", o.max_artefact_odds,

@@ -7,6 +7,7 @@
 
 #include "client/options/truth_option.h"
 #include "saccade/wire/codec_table.h"
+#include "saccade/wire/noise_units.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {
@@ -371,6 +372,15 @@ TEST(RequestOptions, ThereIsOneTrajectoryOrTheServerTellsWhatThereIs) {
   EXPECT_NE(faultOf("--start 1,2,3").find("--start: '1,2,3' goes with --motion KIND:SPEED"),
             std::string::npos);
   EXPECT_EQ(makeOpenStream(parse("cornell-box")).trajectory().path_case(), v1::Trajectory::PATH_NOT_SET);
+}
+
+TEST(RequestOptions, TheHelpHasAUnitForEachAmountOfNoise) {
+  const auto* noise = v1::Noise::descriptor();
+  EXPECT_EQ(static_cast<int>(std::size(kNoiseUnits)), noise->field_count());
+  for (const NoiseUnit& row : kNoiseUnits) {
+    EXPECT_TRUE(noise->FindFieldByName(row.name)) << row.name;
+    EXPECT_NE(noiseUnitTexts().find(std::string(row.name) + " (" + row.unit + ")"), std::string::npos);
+  }
 }
 
 TEST(RequestOptions, FaultsNameTheOption) {

@@ -9,6 +9,7 @@
 #include "base/number_in.h"
 #include "events/event_model.h"
 #include "events/noise/presets.h"
+#include "saccade/wire/noise_units.h"
 #include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
@@ -50,7 +51,7 @@ void addSensorOptions(CLI::App& app, SensorOptions& o) {
   app.add_option("--refractory", o.refractory_s, "seconds for which a pixel is blind after an event")
       ->check(NumberIn(ranges::kRefractory.min, ranges::kRefractory.max));
   app.add_option("--noise", o.noise,
-                 "KEY=VALUE, an amount of the noise; may be given again. The keys are " + joinRowNames(noiseFields()))
+                 "KEY=VALUE, an amount of the noise; may be given again. The keys are " + noiseUnitTexts())
       ->allow_extra_args(false);
   app.add_option("--bias", o.bias, "I_eps, scene luminance")
       ->check(NumberIn(ranges::kBias.min, ranges::kBias.max))
