@@ -164,6 +164,22 @@ TEST(Photoreceptor, ASmallAsymmetryIsALinearPole) {
   }
 }
 
+// Against dy/dt = a1 (1 - exp(y - L)), dz/dt = a2 (y - z) in steps of 0.5 us.
+TEST(Photoreceptor, AFollowerBehindAnAsymmetryFollows) {
+  constexpr double kHz = 30, kFollower = 80, dt = 5e-7;
+  Pixel pixel({.photoreceptor_hz = kHz, .follower_hz = kFollower, .asymmetry = 1}, 1);
+  double L = 0, y = 0, z = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double step = i < 10 ? 0.2 : i < 30 ? -0.1 : 0;
+    for (int k = 0; k < 2000; ++k) {
+      z += dt * 2 * kPi * kFollower * (y - z);
+      y += dt * 2 * kPi * kHz * (1 - std::exp(y - L));
+      L += step / 2000;
+    }
+    EXPECT_NEAR(pixel.move(step, TimeNs(1'000'000)), z, 3e-3) << i;
+  }
+}
+
 TEST(Photoreceptor, DarkCurrentIsLight) {
   Pixel dark({.photoreceptor_hz = 30, .dark_luminance = 0.7}, 0.3f), bright({.photoreceptor_hz = 30}, 1);
   for (int i = 0; i < 20; ++i)
