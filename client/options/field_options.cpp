@@ -39,6 +39,7 @@ constexpr struct {
                 {"sensors.bias", "--bias"},
                 {"sensors.refractory_s", "--refractory"},
                 {"sensors.model", "--model"},
+                {"sensors.start_level", "--start-level"},
                 {"sensors.reconstruction", "--reconstruction"},
                 {"sensors.cutoff_hz", "--cutoff"},
                 {"sensors.max_artefact_odds", "--max-artefact-odds"},

@@ -5,6 +5,7 @@
 
 #include "client/options/option_range.h"
 #include "client/options/request_text.h"
+#include "saccade/wire/noise_units.h"
 #include "saccade/wire/ranges.h"
 
 namespace saccade::client {
@@ -37,6 +38,9 @@ v1::Sensor makeSensor(const SensorOptions& options, std::size_t index) {
   if (!options.model.empty()) {
     sensor.set_model(enumValue<v1::EventModel>("--model", options.model));
   }
+  if (!options.start_level.empty()) {
+    sensor.set_start_level(enumValue<v1::StartLevel>("--start-level", options.start_level));
+  }
   if (!options.reconstruction.empty()) {
     sensor.set_reconstruction(enumValue<v1::Reconstruction>("--reconstruction", options.reconstruction));
   }
@@ -68,6 +72,10 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
                      "seconds for which a pixel is blind after an event; default 0");
   command.add_option("--model", o.model,
                      "event model: " + enumWords<v1::EventModel>() + "; default accumulating");
+  command.add_option("--start-level", o.start_level,
+                     "where each pixel is at the first frame: " + enumWords<v1::StartLevel>() +
+                         "; random lies between its thresholds, zero is its reference, as in ESIM and v2e, "
+                         "with fewer events at first; default random");
   command.add_option("--reconstruction", o.reconstruction,
                      "how a sensor finds its brightness: " + enumWords<v1::Reconstruction>() +
                          "; direct sums the changes and drifts, the others also use the picture; default "
@@ -78,7 +86,7 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
           "--noise", o.noise,
           "KEY=NUMBER, an amount of the sensor's noise, such as leak_hz=0.1; may be given again, or several "
           "with commas. KEY is one of " +
-              fieldNames(*v1::Noise::descriptor()))
+              noiseUnitTexts())
       ->allow_extra_args(false)
       ->delimiter(',');
   command.add_option("--max-artefact-odds", o.max_artefact_odds,

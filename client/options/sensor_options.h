@@ -15,7 +15,7 @@ namespace saccade::client {
 struct SensorOptions {
   std::vector<double> thresholds, thresholds_off;  // one sensor for each threshold
   std::optional<double> bias, refractory_s, cutoff_hz;
-  std::string model, reconstruction, preset;
+  std::string model, start_level, reconstruction, preset;
   std::vector<std::string> noise;  // name=value
   std::optional<double> max_artefact_odds;
   std::optional<std::uint32_t> max_events;  // of a pixel in a frame

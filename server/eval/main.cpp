@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   saccade::eval::addRenderCommand(app);
   saccade::eval::addFramesCommand(app);
   saccade::eval::addCompareCommand(app);
+  saccade::eval::addCompareEventsCommand(app);
   saccade::eval::addCompareRendersCommand(app);
   saccade::eval::addBakeCommand(app);
   saccade::eval::addChartCommand(app);

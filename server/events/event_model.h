@@ -23,6 +23,9 @@ struct Interval {
 class EventModel {
  public:
   virtual ~EventModel() = default;
+  // Before each interval: the intensities at its end, which outlive it. Only a model that depends on light
+  // looks.
+  virtual void see(const ImageF& /*I_now*/) {}
   // Appends the events of an interval, all times in [t0, t1). Order: row by row, pixel by pixel, then by
   // time; OFF first where times are equal. `dL`: change of log brightness over the interval, finite, with a
   // border of 0. Returns how many events were withheld.

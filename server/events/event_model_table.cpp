@@ -10,6 +10,7 @@ const std::vector<EventModelInfo>& eventModelTable() {
        makeAccumulating},
       {"probabilistic", "draws a fresh threshold phase for every pixel and frame; keeps no level",
        makeProbabilistic},
+      {"stochastic", "accumulating, with a Brownian motion of the level, noise.brownian_hz", makeStochastic},
   };
   return table;
 }

@@ -12,7 +12,9 @@ namespace saccade {
 Sensor::Sensor(const SensorConfig& config, int width, int height) : config_(config), dL_(width, height) {
   SACCADE_CHECK(!findFault(config));
   SACCADE_CHECK(width <= UINT16_MAX && height <= UINT16_MAX);
-  reconstruction_ = findReconstruction(config.reconstruction)->make(config, width, height);
+  SensorConfig darkened = config;
+  darkened.bias = bias();
+  reconstruction_ = findReconstruction(config.reconstruction)->make(darkened, width, height);
   model_ = findEventModel(config.model)->make(config, width, height);
   setNoise();
 }
@@ -26,6 +28,8 @@ void Sensor::setNoise() {
   } else {
     photoreceptor_ = makePhotoreceptor(noise, dL_.width(), dL_.height());
   }
+  level_leak_.reset();
+  if (noise.level_leak_hz > 0) level_leak_.emplace(config_, dL_.width(), dL_.height());
   noise_sources_ = makeNoiseSources(config_, dL_.width(), dL_.height());
   dead_pixels_.reset(), jitter_.reset();
   if (noise.dead_fraction > 0)
@@ -39,11 +43,11 @@ void Sensor::setNoise() {
 }
 
 PixelState Sensor::pixelsAtStart(const ImageF& I_prev) const {
-  const auto bias = static_cast<float>(config_.bias);
+  const auto I_eps = static_cast<float>(bias());
   PixelState pixels;
   for (int y = 0; y < I_prev.height(); ++y) {
     for (int x = 0; x < I_prev.width(); ++x) {
-      const float L = finiteLogBrightness(I_prev.at(x, y), bias);
+      const float L = finiteLogBrightness(I_prev.at(x, y), I_eps);
       pixels.brightness.push_back(L);
       pixels.reference.push_back(L - model_->level(x, y));
     }
@@ -52,18 +56,21 @@ PixelState Sensor::pixelsAtStart(const ImageF& I_prev) const {
 }
 
 void Sensor::change(const SensorChange& change) {
-  SACCADE_CHECK(!change.noise || change.noise->mismatch == config_.noise.mismatch);
+  SACCADE_CHECK(!change.noise || !changedPixelAmount(config_.noise, *change.noise));
+  const double before = bias();
   config_ = changed(config_, change);
   SACCADE_CHECK(!findFault(config_));
-  if (change.threshold || change.threshold_off) model_->setThresholds(config_);
-  if (change.bias) reconstruction_->setBias(config_.bias);
-  if (change.noise) setNoise();
+  const bool other_thresholds = change.threshold || change.threshold_off;
+  if (other_thresholds || (change.noise && config_.noise.brownian_hz > 0)) model_->setThresholds(config_);
+  if (bias() != before) reconstruction_->setBias(bias());
+  if (change.noise || (other_thresholds && level_leak_)) setNoise();
 }
 
 void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
   const Interval interval{change.t0, change.t1, change.frame};
   out.events.clear();
-  logResponse(change, static_cast<float>(config_.bias), dL_);
+  logResponse(change, static_cast<float>(bias()), dL_);
+  model_->see(change.I_now);
   out.suppressed = change.updates.empty() ? moveStraight(change, interval, out.events)
                                           : moveInPieces(change, interval, out.events);
   if (photoreceptor_ && config_.noise.photoreceptor_hz == 0) photoreceptor_.reset();
@@ -77,12 +84,13 @@ void Sensor::generate(const IntensityChange& change, SensorOutput& out) {
 std::uint64_t Sensor::moveStraight(const IntensityChange& change, const Interval& interval, Events& events) {
   reconstruction_->reconstruct(change, dL_);
   if (photoreceptor_) photoreceptor_->filter(change, dL_);
+  if (level_leak_) level_leak_->add(interval.t1 - interval.t0, dL_);
   return model_->generate(dL_, interval, events);
 }
 
 std::uint64_t Sensor::moveInPieces(const IntensityChange& change, const Interval& interval, Events& events) {
   if (!pieces_) pieces_.emplace(dL_.width(), dL_.height());
-  pieces_->begin(change, static_cast<float>(config_.bias), dL_);
+  pieces_->begin(change, static_cast<float>(bias()), dL_);
   reconstruction_->reconstruct(change, dL_);
   if (reconstruction_->corrects()) pieces_->correct(dL_);
   if (judges()) {
@@ -92,11 +100,13 @@ std::uint64_t Sensor::moveInPieces(const IntensityChange& change, const Interval
   model_->begin(interval, events);
   while (Pieces* pieces = pieces_->next()) {
     if (photoreceptor_) photoreceptor_->filter(change, *pieces);
+    if (level_leak_) level_leak_->add(interval.t1 - interval.t0, *pieces);
     if (judges()) lengths_->add(*pieces);
     model_->advance(*pieces, events);
   }
   pieces_->last(dL_);
   if (photoreceptor_) photoreceptor_->filter(change, dL_, &pieces_->from());
+  if (level_leak_) level_leak_->add(interval.t1 - interval.t0, dL_, &pieces_->from());
   const std::uint64_t withheld = model_->end(dL_, pieces_->from(), events);
   if (judges()) lengths_->complete(dL_);
   return withheld;
@@ -107,7 +117,7 @@ bool Sensor::judges() const {
 }
 
 void Sensor::judge(const IntensityChange& change, SensorOutput& out) {
-  labelArtefacts(change, static_cast<float>(config_.bias), dL_, out.events);
+  labelArtefacts(change, static_cast<float>(bias()), dL_, out.events);
   out.artefacts = removeArtefacts(config_.max_artefact_odds, out.events);
   out.suppressed += out.artefacts;
 }

@@ -11,6 +11,7 @@
 #include "events/noise/arbiter.h"
 #include "events/noise/dead_pixels.h"
 #include "events/noise/jitter.h"
+#include "events/noise/level_leak.h"
 #include "events/noise/noise_source.h"
 #include "events/noise/photoreceptor.h"
 #include "events/path_lengths.h"
@@ -59,6 +60,8 @@ class Sensor {
   void addNoise(const IntensityChange& change, SensorOutput& out);
   void readOut(const Interval& interval, SensorOutput& out);
   void setNoise();  // that of config_
+  // Added to the intensity before the logarithm: I_eps and the dark current.
+  double bias() const { return config_.bias + config_.noise.dark_luminance; }
 
   SensorConfig config_;
   ImageF dL_;  // [E (21)], then as reconstructed
@@ -70,6 +73,7 @@ class Sensor {
   std::optional<PathLengths> lengths_;
   // The parts of noise that are on.
   std::optional<Photoreceptor> photoreceptor_;
+  std::optional<LevelLeak> level_leak_;
   std::vector<std::unique_ptr<NoiseSource>> noise_sources_;
   std::optional<DeadPixels> dead_pixels_;
   std::optional<Jitter> jitter_;

@@ -29,6 +29,12 @@ std::optional<SensorFault> findRangeFault(const SensorConfig& config) {
   if (!fault && config.noise.follower_hz > 0 && config.noise.photoreceptor_hz == 0) {
     fault = {"noise.follower_hz", "a follower needs a photoreceptor_hz above 0"};
   }
+  if (!fault && config.noise.asymmetry > 0 && config.noise.photoreceptor_hz == 0) {
+    fault = {"noise.asymmetry", "an asymmetry needs a photoreceptor_hz above 0"};
+  }
+  if (!fault && config.noise.brownian_hz > 0 && config.model != "stochastic") {
+    fault = {"noise.brownian_hz", "a Brownian motion needs the model stochastic"};
+  }
   return fault;
 }
 

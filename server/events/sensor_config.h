@@ -13,10 +13,12 @@ namespace saccade {
 
 // Ranges: wire/ranges.h.
 struct SensorConfig {
-  double threshold = 0.2;                 // C+ of ON events, natural log units
-  double threshold_off = 0.2;             // C- of OFF events, as C+
-  double bias = 1e-3;                     // I_eps, scene luminance [E (1)]
-  std::string model = "accumulating";     // a name of eventModelTable()
+  double threshold = 0.2;              // C+ of ON events, natural log units
+  double threshold_off = 0.2;          // C- of OFF events, as C+
+  double bias = 1e-3;                  // I_eps, scene luminance [E (1)]
+  std::string model = "accumulating";  // a name of eventModelTable()
+  // Whether a pixel starts at a random level between its thresholds; else at that of the first frame, v = 0.
+  bool random_start = true;
   std::string reconstruction = "kalman";  // a name of reconstructionTable()
   // Hz, of complementary: the sensor follows the primal below it and the difference above it. At 0.5 Hz a
   // drift decays within 0.3 s, which is 160 frames at 500 Hz. That is long enough to average over a primal

@@ -19,9 +19,7 @@ template <class Thresholds>
 ThresholdPixels<Thresholds>::ThresholdPixels(const SensorConfig& config, int width, int height)
     : thresholds_(config, width, height),
       refractory_(config.refractory),
-      max_events_(config.max_events_per_pixel_frame),
-      max_all_(config.max_events_per_frame),
-      room_(max_all_),
+      bounds_(config, static_cast<std::size_t>(width) * height),
       width_(width),
       height_(height) {
   if (refractory_ > TimeNs(0)) blindness_.resize(static_cast<std::size_t>(width) * height);
@@ -43,9 +41,7 @@ void ThresholdPixels<Thresholds>::begin(const Interval& interval, bool once) {
   SACCADE_CHECK(interval.t0 < interval.t1);
   interval_ = interval;
   length_ns_ = static_cast<double>((interval.t1 - interval.t0).count());
-  suppressed_ = 0;
-  room_ = max_all_;
-  sent_.assign(once ? 0 : static_cast<std::size_t>(width_) * height_, 0);
+  bounds_.begin(once);
 }
 
 // Whether a blind pixel wakes in this part, or woke before while its brightness did not change. `start`: the
@@ -61,7 +57,7 @@ bool ThresholdPixels<Thresholds>::wakes(Blindness& blindness, int x, int y, doub
     return false;
   }
   const double seen = blindness.change + start * change;
-  suppressed_ += wholeThresholds(seen, threshold(x, y, seen));
+  bounds_.suppress(wholeThresholds(seen, threshold(x, y, seen)));
   blindness = {};
   return true;
 }
@@ -92,13 +88,9 @@ float ThresholdPixels<Thresholds>::settle(int x, int y, float v, Events& events)
   Blindness* blindness = blindnessOf(x, y);
   const bool between = v >= thresholds_.lowest(x, y) && v <= thresholds_.highest(x, y);
   if ((blindness && blindness->until != kAwake) || between) return v;
-  if (room_ > 0) {
-    --room_, ++sent_[indexOf(x, y)];
+  if (bounds_.take(indexOf(x, y), 1) > 0)
     events.push_back(
         {interval_.t0.count(), static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), v > 0});
-  } else {
-    ++suppressed_;
-  }
   if (blindness) *blindness = {interval_.t0 + refractory_, 0};
   return 0;
 }
@@ -131,7 +123,7 @@ float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double 
   // At the end the pixel is still blind after its last event, or awake again.
   const double left = std::max(0.0, rest - crossings.distance(count - 1));
   const bool blind = blindness && left < unseen;
-  suppressed_ += static_cast<std::uint64_t>(count - blind) * wholeThresholds(unseen, C);
+  bounds_.suppress(static_cast<std::uint64_t>(count - blind) * wholeThresholds(unseen, C));
   if (!blind) return inside(x, y, sign * (left - unseen));
   const auto event = TimeNs(std::llround(part.from * length_ns_ + crossings.fraction(count - 1) * part_ns));
   *blindness = {interval_.t0 + event + refractory_, sign * left};
@@ -142,12 +134,7 @@ float ThresholdPixels<Thresholds>::advanceInFull(int x, int y, double v, double 
 template <class Thresholds>
 void ThresholdPixels<Thresholds>::send(const Crossings& crossings, std::int64_t count, Event event,
                                        Events& events) {
-  std::uint32_t* before = sent_.empty() ? nullptr : &sent_[indexOf(event.x, event.y)];
-  const std::int64_t wanted = std::min(count, max_events_ - (before ? *before : 0));
-  const auto sent = static_cast<std::int64_t>(std::min(static_cast<std::uint64_t>(wanted), room_));
-  suppressed_ += static_cast<std::uint64_t>(count - sent);
-  room_ -= static_cast<std::uint64_t>(sent);
-  if (before) *before += static_cast<std::uint32_t>(sent);
+  const std::int64_t sent = bounds_.take(indexOf(event.x, event.y), count);
   const std::int64_t ticks = (interval_.t1 - interval_.t0) / kEventTimeUnit;
   const auto length = static_cast<double>(ticks);
   const double from = crossings.part.from * length, part = crossings.part.to * length - from;

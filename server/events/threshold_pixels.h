@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "events/event_bounds.h"
 #include "events/event_model.h"
 #include "events/pixel_thresholds.h"
 
@@ -63,7 +64,7 @@ class ThresholdPixels {
   // t0, and becomes 0. Returns the level.
   float settle(int x, int y, float v, Events& events);
 
-  std::uint64_t suppressed() const { return suppressed_; }  // since begin()
+  std::uint64_t suppressed() const { return bounds_.suppressed(); }  // since begin()
 
  private:
   struct Blindness {
@@ -96,14 +97,11 @@ class ThresholdPixels {
 
   Thresholds thresholds_;
   TimeNs refractory_;
-  std::int64_t max_events_;       // of a pixel
-  std::uint64_t max_all_, room_;  // of all pixels; how many more of them this interval
+  EventBounds bounds_;
   int width_, height_;
   std::vector<Blindness> blindness_;  // by pixel; empty without refractory period
-  std::vector<std::uint32_t> sent_;   // events of this interval, by pixel; empty where pixels move once
   Interval interval_{};
   double length_ns_ = 0;
-  std::uint64_t suppressed_ = 0;
 };
 
 }  // namespace saccade

@@ -62,6 +62,8 @@ TEST(ResolveSensor, FillsInWhatIsUnset) {
   EXPECT_EQ(sensor.threshold_off(), 0.5);
   EXPECT_EQ(sensor.max_events_per_pixel_frame(), 32u);
   EXPECT_EQ(sensor.reconstruction(), v1::RECONSTRUCTION_KALMAN);
+  EXPECT_EQ(sensor.start_level(), v1::START_LEVEL_RANDOM);
+  EXPECT_TRUE(config.random_start);
   v1::Sensor other;
   resolveSensor(other, 1, 1);
   EXPECT_NE(sensor.seed(), other.seed());
@@ -79,6 +81,7 @@ TEST(ResolveSensor, EveryFieldOfNoiseIsReadAndChecked) {
     ASSERT_TRUE(field) << row.name;
     for (const double value : {row.range.max, row.range.max * 1.1, std::nan("")}) {
       v1::Sensor sensor;
+      sensor.set_model(v1::EVENT_MODEL_STOCHASTIC);
       sensor.mutable_noise()->set_photoreceptor_hz(1);
       sensor.mutable_noise()->GetReflection()->SetDouble(sensor.mutable_noise(), field, value);
       const std::string fault = faultOf(sensor);

@@ -31,7 +31,11 @@ std::vector<Part> parts() {
                             {"mismatch", {.mismatch = 0.15}},
                             {"photoreceptor", {.photoreceptor_hz = 300}},
                             {"photoreceptor, follower", {.photoreceptor_hz = 300, .follower_hz = 1000}},
+                            {"photoreceptor, asymmetry", {.photoreceptor_hz = 300, .asymmetry = 1}},
+                            {"leak of the level 0.1 Hz", {.level_leak_hz = 0.1}},
+                            {"Brownian motion 0.1 Hz", {.brownian_hz = 0.1}},
                             {"leak 0.1 Hz", {.leak_hz = 0.1}},
+                            {"the same, spread", {.leak_hz = 0.1, .rate_spread = 0.5}},
                             {"shot 5 Hz", {.shot_hz = 5}},
                             {"hot 0.1 %", {.hot_fraction = 1e-3}},
                             {"dead 0.1 %", {.dead_fraction = 1e-3}},
@@ -44,6 +48,7 @@ std::vector<Part> parts() {
 void measure(const Recording& r, Part& part) {
   SensorConfig config;
   config.noise = part.noise;
+  if (part.noise.brownian_hz > 0) config.model = "stochastic";
   Sensor sensor(config, r.feed.camera.width, r.feed.camera.height);
   SensorOutput out;
   std::size_t events = 0;

@@ -7,6 +7,7 @@
 
 #include "client/options/truth_option.h"
 #include "saccade/wire/codec_table.h"
+#include "saccade/wire/noise_units.h"
 #include "scratch_folder.h"
 
 namespace saccade::client {
@@ -126,7 +127,7 @@ TEST(RequestOptions, AFurtherViewHasSensorsOfItsOwn) {
 TEST(RequestOptions, EachThresholdIsASensor) {
   const auto open = openStream(
       "--threshold 0.2 --threshold 0.4 --threshold-off 0.3 --bias 0.01 --model probabilistic "
-      "--reconstruction complementary --cutoff 2");
+      "--start-level zero --reconstruction complementary --cutoff 2");
   ASSERT_EQ(open.sensors_size(), 2);
   EXPECT_EQ(open.sensors(0).threshold(), 0.2);
   EXPECT_EQ(open.sensors(1).threshold(), 0.4);
@@ -134,6 +135,7 @@ TEST(RequestOptions, EachThresholdIsASensor) {
   EXPECT_EQ(open.sensors(1).threshold_off(), 0.3);
   EXPECT_EQ(open.sensors(1).bias(), 0.01);
   EXPECT_EQ(open.sensors(1).model(), v1::EVENT_MODEL_PROBABILISTIC);
+  EXPECT_EQ(open.sensors(1).start_level(), v1::START_LEVEL_ZERO);
   EXPECT_EQ(open.sensors(1).reconstruction(), v1::RECONSTRUCTION_COMPLEMENTARY);
   EXPECT_EQ(open.sensors(1).cutoff_hz(), 2);
 }
@@ -370,6 +372,15 @@ TEST(RequestOptions, ThereIsOneTrajectoryOrTheServerTellsWhatThereIs) {
   EXPECT_NE(faultOf("--start 1,2,3").find("--start: '1,2,3' goes with --motion KIND:SPEED"),
             std::string::npos);
   EXPECT_EQ(makeOpenStream(parse("cornell-box")).trajectory().path_case(), v1::Trajectory::PATH_NOT_SET);
+}
+
+TEST(RequestOptions, TheHelpHasAUnitForEachAmountOfNoise) {
+  const auto* noise = v1::Noise::descriptor();
+  EXPECT_EQ(static_cast<int>(std::size(kNoiseUnits)), noise->field_count());
+  for (const NoiseUnit& row : kNoiseUnits) {
+    EXPECT_TRUE(noise->FindFieldByName(row.name)) << row.name;
+    EXPECT_NE(noiseUnitTexts().find(std::string(row.name) + " (" + row.unit + ")"), std::string::npos);
+  }
 }
 
 TEST(RequestOptions, FaultsNameTheOption) {

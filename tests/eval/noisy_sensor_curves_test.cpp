@@ -1,6 +1,7 @@
 // The measurements of a sensor with noise, against the formulas of the noise.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -60,6 +61,41 @@ TEST(NoisyPicture, HasLeakAndShotNoise) {
   }
 }
 
+// The level leaks by 0.8 C+ per second, from anywhere: 4096 pixels have 0.8 events per second in the mean.
+TEST(NoisyPicture, HasTheLeakOfTheLevel) {
+  SensorSetup setup = sensorWith({.level_leak_hz = 0.8, .rate_spread = 0.3});
+  setup.config.threshold_off = 0.01;  // the first event comes soon
+  EXPECT_NEAR(measureNoise(setup, 1, 10).on_hz, 0.8, 0.03);
+  EXPECT_DOUBLE_EQ(expectedNoise(setup.config, 1).on_hz, 0.8);
+  EXPECT_EQ(expectedNoise(setup.config, 1).off_hz, 0);
+}
+
+// C- / (C+ + C-) of the events are ON. A leak makes it more of them.
+TEST(NoisyPicture, HasTheFirstPassagesOfTheModelStochastic) {
+  for (const double leak : {0.0, 2.0}) {
+    SensorSetup setup = sensorWith({.level_leak_hz = leak, .brownian_hz = 1});
+    setup.width = setup.height = 24;
+    setup.config.model = "stochastic", setup.config.threshold_off = 0.3;
+    for (const double I : {1e-6, 0.5, 1.0}) {
+      const NoiseRate rate = measureNoise(setup, I, 10), expected = expectedNoise(setup.config, I);
+      const double all = expected.on_hz + expected.off_hz;
+      EXPECT_NEAR(rate.on_hz, expected.on_hz, 0.06 + 5 * std::sqrt(all / 10) / 24) << I << ' ' << leak;
+      EXPECT_NEAR(rate.off_hz, expected.off_hz, 0.06 + 5 * std::sqrt(all / 10) / 24) << I << ' ' << leak;
+      if (leak == 0) {
+        EXPECT_NEAR(all, std::min(10.0, 1 / I), 1e-6);
+        EXPECT_NEAR(expected.on_hz / all, 0.6, 1e-9);
+      }
+    }
+  }
+}
+
+// A dark current as bright as the scene halves a small change.
+TEST(NoisyFrequencyResponse, FlattensBelowTheDarkCurrent) {
+  const SensorSetup setup = sensorWith({.dark_luminance = 1});
+  EXPECT_NEAR(expectedGain(setup.config, 1, 20), 0.5, 1e-6);
+  EXPECT_NEAR(measureResponse(setup, 1, 0.8, 20).gain, 0.5, 0.03);
+}
+
 // At the reference luminance the photoreceptor has all of its bandwidth; in the dark, an eleventh.
 TEST(NoisyFrequencyResponse, FollowsThePoles) {
   const SensorSetup one = sensorWith({.photoreceptor_hz = 200});
@@ -92,6 +128,17 @@ TEST(NoisyLatency, IsThatOfTwoPoles) {
   const double t = expectedLatency(setup.config, 10, 0.8, 0.5) / tau;
   EXPECT_NEAR((1 + t) * std::exp(-t), 1 - 0.5 * 0.4 / 0.8, 1e-9);
   EXPECT_NEAR(measureLatency(setup, 10, 0.8).median_s, t * tau, 0.04 * tau);
+}
+
+// A rise takes longer than a fall: t = ln((exp(dL) - 1) / (exp(dL (1 - wait)) - 1)) / a.
+TEST(NoisyLatency, DependsOnTheSignWithAnAsymmetry) {
+  const SensorSetup setup = sensorWith({.photoreceptor_hz = 100, .asymmetry = 1});
+  const double tau = 1 / (2 * std::numbers::pi * 100);
+  for (const double step : {1.5, -1.5}) {
+    const double t = expectedLatency(setup.config, 10, step, 0.5);
+    EXPECT_NEAR(t, tau * std::log(std::expm1(step) / std::expm1(step * (1 - 0.2 / 1.5))), 1e-9);
+    EXPECT_NEAR(measureLatency(setup, 10, step).median_s, t, 0.04 * tau) << step;
+  }
 }
 
 }  // namespace

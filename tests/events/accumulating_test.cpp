@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -44,6 +45,32 @@ double startLevel(const SensorConfig& config, int x, int y, int width, int heigh
   }
   ADD_FAILURE() << "no event at " << x << ", " << y;
   return 0;
+}
+
+// A rise R from the level v makes k events if v + R >= k C+. Levels of a random start are uniform in (-C-,
+// C+). The mean number is then the sum over k of clamp((C+ - k C+ + R) / (C+ + C-), 0, 1). From the level 0
+// it is floor(R / C+).
+TEST(Accumulating, TheFirstLevelGivesItsMeanNumberOfEvents) {
+  constexpr int kSide = 200;
+  SensorConfig config = sensor(0.2, 0.3);
+  for (const double rise : {0.07, 0.19, 0.31, 0.73}) {
+    const double on = config.threshold, range = on + config.threshold_off;
+    double mean = 0,
+           square = 0;  // of the number of a pixel; P(n >= k) of k counts 2 k - 1 times in its square
+    for (int k = 1; k < 10; ++k) {
+      const double share = std::clamp((on - k * on + rise) / range, 0.0, 1.0);
+      mean += share, square += (2 * k - 1) * share;
+    }
+    config.random_start = true;
+    const double random =
+        static_cast<double>(ModelRun(config, kSide, kSide).step(static_cast<float>(rise)).size());
+    EXPECT_NEAR(random / (kSide * kSide), mean, 4 * std::sqrt((square - mean * mean) / (kSide * kSide)))
+        << rise;
+    config.random_start = false;
+    EXPECT_EQ(ModelRun(config, kSide, kSide).step(static_cast<float>(rise)).size(),
+              kSide * kSide * static_cast<std::size_t>(rise / on))
+        << rise;
+  }
 }
 
 TEST(Accumulating, EventsTellTheLevelWithinOneThreshold) {

@@ -97,5 +97,44 @@ TEST(NoiseEvents, LeaveTheBoundOfEventsToTheSignalAndCountTheRest) {
   EXPECT_EQ(out.suppressed, kPixels - 100u);
 }
 
+// The rates of the pixels have the mean r, and the variance r^2 (exp(s^2) - 1). Shot noise is a Poisson
+// process in each of them, whose counts have the mean more variance.
+TEST(RateSpread, IsLogNormalOverThePixels) {
+  constexpr double kSpread = 0.6, kHz = 20, kSeconds = 10, kMean = kHz * kSeconds;
+  for (const NoiseConfig& noise : {NoiseConfig{.leak_hz = kHz, .rate_spread = kSpread},
+                                   NoiseConfig{.shot_hz = kHz, .rate_spread = kSpread}}) {
+    std::vector<double> counts(kPixels);
+    for (const Event& e : eventsOf(noise, 0, 100, TimeNs(100'000'000))) ++counts[e.y * kSide + e.x];
+    double sum = 0, squares = 0;
+    for (const double n : counts) sum += n, squares += n * n;
+    const double mean = sum / kPixels, share = std::expm1(kSpread * kSpread);
+    const double variance = kMean * kMean * share + (noise.shot_hz > 0 ? kMean : 0);
+    EXPECT_NEAR(mean / kMean, 1, 5 * std::sqrt(share / kPixels));
+    EXPECT_NEAR((squares / kPixels - mean * mean) / variance, 1, 0.25) << "its tail is heavy";
+  }
+}
+
+TEST(RateSpread, FramesOfAnyLengthGiveTheSameLeak) {
+  const NoiseConfig noise{.leak_hz = 30, .rate_spread = 0.5};
+  const Events fine = eventsOf(noise, 1, 297, TimeNs(1'000'000));
+  EXPECT_EQ(eventsOf(noise, 1, 3, TimeNs(99'000'000)), fine);
+  EXPECT_NEAR(static_cast<double>(fine.size()), 0.297 * 30 * kPixels, 0.05 * 0.297 * 30 * kPixels);
+}
+
+// It adds to I: the response, and the light of shot noise, are those of a brighter scene.
+TEST(DarkCurrent, FlattensTheResponseBelowIt) {
+  SensorConfig dark = with({.dark_luminance = 0.5}), bright = with({});
+  dark.bias = 0.001, bright.bias = 0.501;
+  SensorRun a(dark, kSide, kSide), b(bright, kSide, kSide);
+  for (SensorRun* run : {&a, &b}) {
+    run->setIntensity(0);
+    for (int i = 0; i < 20; ++i) run->change.dI.fill(0.01f * static_cast<float>(i)), run->step();
+  }
+  EXPECT_EQ(a.all, b.all);
+  EXPECT_FALSE(a.all.empty());
+  EXPECT_EQ(eventsOf({.dark_luminance = 0.75, .shot_hz = 5}, 0.25f, 10, TimeNs(100'000'000)),
+            eventsOf({.shot_hz = 5}, 1, 10, TimeNs(100'000'000)));
+}
+
 }  // namespace
 }  // namespace saccade

@@ -113,5 +113,79 @@ TEST(Photoreceptor, ComesToRest) {
   EXPECT_NEAR(pixel.output, 1, 1e-5);
 }
 
+// After a step S the lag is log(1 + (exp(s S) - 1) exp(-a t)) / s. So a rise is slower than that of a linear
+// pole, and a fall faster.
+TEST(Photoreceptor, AnAsymmetricStepHasTheLargeSignalOfTheCircuit) {
+  constexpr double kHz = 30;
+  for (const double s : {1.0, 0.5})
+    for (const double step : {2.0, -2.0, 0.01})
+      for (const TimeNs length : {TimeNs(500'000), TimeNs(8'000'000)}) {
+        Pixel pixel({.photoreceptor_hz = kHz, .asymmetry = s}, 1);
+        pixel.move(step, TimeNs(1'000));
+        double t = 0;
+        for (int i = 0; i < 20; ++i) {
+          t += seconds(length);
+          const double lag = std::log1p(std::expm1(s * step) * std::exp(-2 * kPi * kHz * t)) / s;
+          EXPECT_NEAR(pixel.move(0, length), step - lag, 1e-3) << s << ' ' << step << ' ' << t;
+          EXPECT_TRUE(std::abs(step) < 1 ||
+                      (std::abs(lag) > 2 * std::exp(-2 * kPi * kHz * t)) == (step > 0) ||
+                      std::abs(lag) < 1e-6);
+        }
+      }
+}
+
+// Half of a rise S has passed after ln(exp(S / 2) + 1) / a. For a fall it is ln(1 + exp(-S / 2)) / a.
+TEST(Photoreceptor, ALargeFallPassesSoonerThanARise) {
+  constexpr double kHz = 10, kStep = 3;
+  for (const double sign : {1.0, -1.0}) {
+    Pixel pixel({.photoreceptor_hz = kHz, .asymmetry = 1}, 1);
+    pixel.move(sign * kStep, TimeNs(1'000));
+    double t = 0;
+    while (std::abs(pixel.output) < kStep / 2) pixel.move(0, TimeNs(10'000)), t += 1e-5;
+    EXPECT_NEAR(t, std::log(1 + std::exp(sign * kStep / 2)) / (2 * kPi * kHz), 2e-5) << sign;
+  }
+}
+
+TEST(Photoreceptor, OneRampOrManyPiecesOfItAreTheSame) {
+  for (const double slope : {40.0, -40.0}) {
+    Pixel whole({.photoreceptor_hz = 30, .asymmetry = 1}, 1),
+        fine({.photoreceptor_hz = 30, .asymmetry = 1}, 1);
+    const double coarse = whole.move(slope * 0.016, TimeNs(16'000'000));
+    for (int i = 0; i < 16; ++i) fine.move(slope * 0.001, TimeNs(1'000'000));
+    EXPECT_NEAR(coarse, fine.output, 1e-5);
+  }
+}
+
+TEST(Photoreceptor, ASmallAsymmetryIsALinearPole) {
+  Pixel linear({.photoreceptor_hz = 30}, 1), nearly({.photoreceptor_hz = 30, .asymmetry = 1e-6}, 1);
+  for (int i = 0; i < 50; ++i) {
+    const double step = std::sin(0.3 * i);
+    EXPECT_NEAR(linear.move(step, TimeNs(2'000'000)), nearly.move(step, TimeNs(2'000'000)), 1e-4);
+  }
+}
+
+// Against dy/dt = a1 (1 - exp(y - L)), dz/dt = a2 (y - z) in steps of 0.5 us.
+TEST(Photoreceptor, AFollowerBehindAnAsymmetryFollows) {
+  constexpr double kHz = 30, kFollower = 80, dt = 5e-7;
+  Pixel pixel({.photoreceptor_hz = kHz, .follower_hz = kFollower, .asymmetry = 1}, 1);
+  double L = 0, y = 0, z = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double step = i < 10 ? 0.2 : i < 30 ? -0.1 : 0;
+    for (int k = 0; k < 2000; ++k) {
+      z += dt * 2 * kPi * kFollower * (y - z);
+      y += dt * 2 * kPi * kHz * (1 - std::exp(y - L));
+      L += step / 2000;
+    }
+    EXPECT_NEAR(pixel.move(step, TimeNs(1'000'000)), z, 3e-3) << i;
+  }
+}
+
+TEST(Photoreceptor, DarkCurrentIsLight) {
+  Pixel dark({.photoreceptor_hz = 30, .dark_luminance = 0.7}, 0.3f), bright({.photoreceptor_hz = 30}, 1);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_FLOAT_EQ(static_cast<float>(dark.move(0.1, TimeNs(2'000'000))),
+                    static_cast<float>(bright.move(0.1, TimeNs(2'000'000))));
+}
+
 }  // namespace
 }  // namespace saccade

@@ -207,7 +207,7 @@ TEST(SensorConfig, FaultsNameTheFieldAndWhatIsValid) {
             "no reconstruction 'poisson'; there are: direct, complementary, kalman");
   EXPECT_EQ(fieldOf({.reconstruction = ""}), "reconstruction");
   EXPECT_EQ(findFault({.model = "best"})->message,
-            "no event model 'best'; there are: accumulating, probabilistic");
+            "no event model 'best'; there are: accumulating, probabilistic, stochastic");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ ROOMS = {
     "tables": "base scene wire render methods",
     "app": "base frame scene wire reply render filter cache methods feed tables events truth log stream ops web client",
     "farm": "base frame scene wire render methods feed tables events truth app client pictures",
-    "eval": "pictures base frame scene wire render filter cache methods feed tables events",
+    "eval": "pictures base frame scene wire render filter cache methods feed tables events client",
     "client": "wire pictures",
 }
 # Each folder of a room, with those of the same room that it may include.
@@ -89,7 +89,8 @@ FOLDERS = {
     "eval/bench": "eval/metrics eval/pictures",
     "eval/sensor": "",
     "eval/figures": "eval/metrics eval/pictures eval/bench eval/sensor",
-    "eval/commands": "eval/metrics eval/pictures eval/bench eval/sensor eval/figures",
+    "eval/files": "eval/metrics",
+    "eval/commands": "eval/files eval/metrics eval/pictures eval/bench eval/sensor eval/figures",
     "eval": "eval/commands",
     "farm/recipe": "",
     "farm/dataset": "farm/recipe",

@@ -115,15 +115,17 @@ TEST_F(SensorChanges, OfTheNoiseNeedRoom) {
   };
   const std::string field = "sensors[0].changes[0].noise";
   const v1::Code invalid = v1::CODE_INVALID_ARGUMENT;
-  expectRefused(server_,
-                {{good, [&](auto& r) { noise(r)->set_mismatch(0.1); }, invalid, field + ".mismatch", "keep"},
-                 {good, [&](auto& r) { noise(r)->set_shot_hz(1001); }, invalid, field + ".shot_hz", "1001"},
-                 {good, [&](auto& r) { noise(r)->set_readout_buffer(1025); }, invalid,
-                  field + ".readout_buffer", "1024"},
-                 {good, [&](auto& r) { noise(r)->set_hot_fraction(1), noise(r)->set_hot_hz(500); }, invalid,
-                  field, "room"},
-                 {good, [&](auto& r) { r.mutable_sensors(0)->set_max_events_per_frame(150); },
-                  v1::CODE_RESOURCE_EXHAUSTED, field, "154 noise events of a frame exceed 150"}});
+  expectRefused(
+      server_,
+      {{good, [&](auto& r) { noise(r)->set_mismatch(0.1); }, invalid, field + ".mismatch", "keep"},
+       {good, [&](auto& r) { noise(r)->set_rate_spread(0.1); }, invalid, field + ".rate_spread", "keep"},
+       {good, [&](auto& r) { noise(r)->set_shot_hz(1001); }, invalid, field + ".shot_hz", "1001"},
+       {good, [&](auto& r) { noise(r)->set_readout_buffer(1025); }, invalid, field + ".readout_buffer",
+        "1024"},
+       {good, [&](auto& r) { noise(r)->set_hot_fraction(1), noise(r)->set_hot_hz(500); }, invalid, field,
+        "room"},
+       {good, [&](auto& r) { r.mutable_sensors(0)->set_max_events_per_frame(150); },
+        v1::CODE_RESOURCE_EXHAUSTED, field, "154 noise events of a frame exceed 150"}});
   v1::OpenStream open = tinyRequest();
   open.mutable_sensors(0)->set_max_events_per_frame(150);
   const auto stream = server_.client().open(open);

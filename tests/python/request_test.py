@@ -29,7 +29,8 @@ class Request(unittest.TestCase):
                              "interval_px": 0.5, "max_rate_hz": 2000, "finest_px": 0.1,
                              "speed": 0.5, "fov_x_deg": 40, "clock": "paced", "delivery": "live", "codec": "zstd",
                              "seed": 5, "threshold": [0.1, 0.2], "threshold_off": 0.3, "bias": 1e-4,
-                             "refractory_s": 1e-3, "cutoff_hz": 2, "model": "probabilistic", "reconstruction": "direct",
+                             "refractory_s": 1e-3, "cutoff_hz": 2, "model": "probabilistic",
+                             "start_level": "zero", "reconstruction": "direct",
                              "max_events_per_pixel_frame": 4, "max_events_per_frame": 7, "preset": "davis346",
                              "labels": True, "object_ids": True, "max_artefact_odds": 0.3,
                              "noise": {"leak_hz": 0.5}, "method": "svgf", "spp": 4,
@@ -37,7 +38,7 @@ class Request(unittest.TestCase):
                              "bake_error": 0.1, "disable": ["masks"], "budget_ms": 5, "max_false_rate": 0.25,
                              "max_event_change": 0.5})
         sensor = dict(threshold_off=0.3, bias=1e-4, refractory_s=1e-3, cutoff_hz=2, model=c.EVENT_MODEL_PROBABILISTIC,
-                      reconstruction=c.RECONSTRUCTION_DIRECT, max_events_per_pixel_frame=4, max_events_per_frame=7,
+                      start_level=c.START_LEVEL_ZERO, reconstruction=c.RECONSTRUCTION_DIRECT, max_events_per_pixel_frame=4, max_events_per_frame=7,
                       labels=True, object_ids=True, max_artefact_odds=0.3,
                       preset="davis346", noise=noise_pb2.Noise(leak_hz=0.5))
         self.assertEqual(made, c.OpenStream(

@@ -80,6 +80,7 @@ class Settings(Needed, total=False):
     threshold, threshold_off: contrast threshold of ON and OFF events, natural log units. With a preset, one alone gives
         the other in the proportion of the preset's.
     bias: scene luminance. refractory_s: seconds. cutoff_hz: Hz. seed: of the stream.
+    start_level: "random" starts each pixel between its thresholds, "zero" at its reference, as ESIM and v2e do.
     max_events_per_pixel_frame, max_events_per_frame: further events are withheld and counted.
     labels: Events.source and Events.artefact tell where each event comes from.
     object_ids: Events.object tells which object the pixel of each event shows; id_names of the stream names them.
@@ -130,7 +131,8 @@ class Settings(Needed, total=False):
     bias: PerSensor
     refractory_s: PerSensor
     cutoff_hz: PerSensor
-    model: Literal["accumulating", "probabilistic"]
+    model: Literal["accumulating", "probabilistic", "stochastic"]
+    start_level: Literal["random", "zero"]
     reconstruction: Literal["direct", "complementary", "kalman"]
     max_events_per_pixel_frame: int
     max_events_per_frame: int

@@ -68,6 +68,11 @@ inline constexpr Range<double> kPixelShare{0, 1};  // Noise.hot_fraction, Noise.
 inline constexpr Range<double> kJitter{0, 1};      // Noise.jitter_s: seconds
 inline constexpr Range<double> kReadout{0, 1e10};  // Noise.readout_hz: events per second
 inline constexpr Range<double> kReadoutBuffer{0, 65536};  // Noise.readout_buffer: events
+inline constexpr Range<double> kLevelLeak{0, 1000};       // Noise.level_leak_hz: Hz per pixel
+inline constexpr Range<double> kRateSpread{0, 2};         // Noise.rate_spread: natural log units
+inline constexpr Range<double> kDarkLuminance{0, 1e6};    // Noise.dark_luminance: scene luminance
+inline constexpr Range<double> kBrownian{0, 100};         // Noise.brownian_hz: Hz per pixel
+inline constexpr Range<double> kAsymmetry{0, 1};          // Noise.asymmetry: a number
 
 inline constexpr int kMaxViewPixels = 4 << 20;    // width times height
 inline constexpr int kMaxPushedPixels = 2 << 20;  // likewise, with OpenStream.pushed

@@ -124,6 +124,7 @@ double feedMemory(const ResolvedStream& stream, const Limits& limits) {
 // plainest.
 double streamMemory(const ResolvedStream& stream, const Limits& limits) {
   constexpr double kSensorBytes = 24, kNoiseBytes = 28;  // per pixel
+  constexpr double kSpreadBytes = 36;                    // per pixel, where its rates are its own
   constexpr double kPieceBytes = 20;                     // per pixel, where an interval may hold updates
   constexpr double kEventBytes = 57;                     // per event of a frame, until it is in a packet
   constexpr double kTruthBytes = 48;                     // per pixel: a picture, and its copy for the packet
@@ -136,8 +137,10 @@ double streamMemory(const ResolvedStream& stream, const Limits& limits) {
     const FeedConfig& view = feedOfSensor(stream, i);
     const double events =
         view.pixels() * (sensor.max_events_per_pixel_frame + noiseRoom(sensor.noise, rate_hz));
+    const double spread_bytes = sensor.noise.rate_spread > 0 ? kSpreadBytes : 0;
     const double piece_bytes = view.intervals.followMotion() ? kPieceBytes : 0;
-    bytes += pixelsWithBorder(view) * (kSensorBytes + kNoiseBytes + piece_bytes) + packets * kPacketBytes +
+    bytes += pixelsWithBorder(view) * (kSensorBytes + kNoiseBytes + spread_bytes + piece_bytes) +
+             packets * kPacketBytes +
              kEventBytes * (std::min(events, static_cast<double>(sensor.max_events_per_frame)) +
                             bufferRoom(sensor.noise));
   }

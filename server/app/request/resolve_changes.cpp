@@ -16,8 +16,9 @@ SensorChange resolveChange(v1::SensorChange& change, const SensorConfig& config,
     refuse(field, "changes nothing");
   if (const auto fault = findFault(changed(config, resolved)))
     refuse(field + "." + fault->field, fault->message);
-  if (resolved.noise && resolved.noise->mismatch != config.noise.mismatch)
-    refuse(field + ".noise.mismatch", "the pixels keep the mismatch that the sensor has at first");
+  if (!resolved.noise) return resolved;
+  if (const char* amount = changedPixelAmount(config.noise, *resolved.noise))
+    refuse(field + ".noise." + amount, "the pixels keep what the sensor has at first");
   return resolved;
 }
 

@@ -23,6 +23,7 @@ void fillDefaults(v1::Sensor& sensor, const std::string& field, std::uint64_t se
   if (!sensor.has_seed()) sensor.set_seed(seed);
   sensor.set_model(resolveEnum(field + ".model", sensor.model(),
                                valueNamed<v1::EventModel>("EVENT_MODEL_", defaults.model)));
+  sensor.set_start_level(resolveEnum(field + ".start_level", sensor.start_level(), v1::START_LEVEL_RANDOM));
   sensor.set_reconstruction(
       resolveEnum(field + ".reconstruction", sensor.reconstruction(),
                   valueNamed<v1::Reconstruction>("RECONSTRUCTION_", defaults.reconstruction)));
@@ -42,6 +43,7 @@ SensorConfig resolveSensor(v1::Sensor& sensor, int index, std::uint64_t stream_s
   config.threshold_off = sensor.threshold_off();
   config.bias = sensor.bias();
   config.model = nameWithout("EVENT_MODEL_", v1::EventModel_Name(sensor.model()));
+  config.random_start = sensor.start_level() == v1::START_LEVEL_RANDOM;
   config.reconstruction = nameWithout("RECONSTRUCTION_", v1::Reconstruction_Name(sensor.reconstruction()));
   config.reconstruction_cutoff_hz = sensor.cutoff_hz();
   config.refractory = TimeNs(std::llround(sensor.refractory_s() * 1e9));

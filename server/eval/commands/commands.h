@@ -9,6 +9,7 @@ void addBakeCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addFramesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
+void addCompareEventsCommand(CLI::App& app);
 void addCompareRendersCommand(CLI::App& app);
 void addCellsCommand(CLI::App& app);
 void addChartCommand(CLI::App& app);

@@ -42,7 +42,7 @@ std::string textOf(const SensorSetup& setup) {
   std::string text = format("# threshold=%g threshold_off=%g bias=%g refractory_s=%g size=%dx%d", c.threshold,
                             c.threshold_off, c.bias, seconds(c.refractory), setup.width, setup.height);
   for (const NoiseField& field : noiseFields()) text += format(" %s=%g", field.name, c.noise.*field.value);
-  return text + "\n";
+  return text + " model=" + c.model + "\n";
 }
 
 void runCurves(const CurveOptions& o) {

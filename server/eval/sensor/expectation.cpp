@@ -9,7 +9,7 @@ namespace {
 
 // The formulas of events/noise. I / R, at most 1.
 double relativeLuminance(const NoiseConfig& noise, double I) {
-  return std::min(1.0, I / noise.reference_luminance);
+  return std::min(1.0, (I + noise.dark_luminance) / noise.reference_luminance);
 }
 
 // Of the photoreceptor, Hz.
@@ -41,10 +41,41 @@ double timeOfRest(double rest, double hz1, double hz2) {
   return low;
 }
 
+// Added to the intensity before the logarithm: I_eps and the dark current.
+double addedTo(const SensorConfig& config) {
+  return config.bias + config.noise.dark_luminance;
+}
+
+// Events of a level between -C- and C+, with this drift and variance per second. [optional stopping of a
+// Brownian motion with drift]
+struct Passages {
+  double hz, on_share;
+};
+Passages passagesOf(double drift, double variance, double on, double off, double refractory_s) {
+  if (variance == 0 && drift == 0) return {0, 0};
+  double on_share = variance == 0, time = on / drift;
+  if (variance > 0) {
+    const double exponent = 2 * drift / variance;
+    on_share =
+        exponent == 0 ? off / (on + off) : std::expm1(-exponent * off) / std::expm1(-exponent * (on + off));
+    time = exponent == 0 ? on * off / variance : (on * on_share - off * (1 - on_share)) / drift;
+  }
+  return {1 / (time + refractory_s), on_share};
+}
+
+// Those of the level itself, on a still picture.
+Passages levelNoise(const SensorConfig& config, double I) {
+  const NoiseConfig& noise = config.noise;
+  const double light = std::max((I + noise.dark_luminance) / noise.reference_luminance, 1 / kMostBrownian);
+  return passagesOf(noise.level_leak_hz * config.threshold,
+                    noise.brownian_hz * config.threshold * config.threshold_off / light, config.threshold,
+                    config.threshold_off, seconds(config.refractory));
+}
+
 }  // namespace
 
 double brightnessChange(const SensorConfig& config, double I, double change) {
-  return std::log1p(I * std::expm1(change) / (config.bias + I));
+  return std::log1p(I * std::expm1(change) / (addedTo(config) + I));
 }
 
 double expectedAnswers(const SensorConfig& config, double I, double step) {
@@ -63,7 +94,9 @@ NoiseRate expectedNoise(const SensorConfig& config, double I) {
   const NoiseConfig& noise = config.noise;
   const double alive = 1 - noise.dead_fraction;
   const double shot = noise.shot_hz * (1 - 0.75 * relativeLuminance(noise, I));
-  return {alive * (noise.leak_hz + noise.hot_fraction * noise.hot_hz + shot / 2), alive * shot / 2};
+  const Passages level = levelNoise(config, I);
+  const double on = noise.leak_hz + noise.hot_fraction * noise.hot_hz + shot / 2 + level.hz * level.on_share;
+  return {alive * on, alive * (shot / 2 + level.hz * (1 - level.on_share))};
 }
 
 double lagOf(const NoiseConfig& noise, double I) {
@@ -72,15 +105,18 @@ double lagOf(const NoiseConfig& noise, double I) {
 
 double expectedGain(const SensorConfig& config, double I, double hz) {
   const NoiseConfig& noise = config.noise;
-  return I / (config.bias + I) *
+  return I / (addedTo(config) + I) *
          std::sqrt(powerOfPole(hz, bandwidth(noise, I)) * powerOfPole(hz, noise.follower_hz));
 }
 
 double expectedLatency(const SensorConfig& config, double I, double step, double quantile) {
   if (config.noise.photoreceptor_hz == 0) return 0;
-  const double dL = std::abs(brightnessChange(config, I, step));
-  const double wait = quantile * std::min(1.0, (config.threshold + config.threshold_off) / dL);
-  return timeOfRest(1 - wait, bandwidth(config.noise, I * std::exp(step)), config.noise.follower_hz);
+  const double dL = brightnessChange(config, I, step), s = config.noise.asymmetry;
+  const double wait = quantile * std::min(1.0, (config.threshold + config.threshold_off) / std::abs(dL));
+  const double hz = bandwidth(config.noise, I * std::exp(step));
+  if (s > 0 && config.noise.follower_hz == 0)
+    return std::log(std::expm1(s * dL) / std::expm1(s * dL * (1 - wait))) / (2 * std::numbers::pi * hz);
+  return timeOfRest(1 - wait, hz, config.noise.follower_hz);
 }
 
 }  // namespace saccade::eval

@@ -7,7 +7,9 @@
 
 #include "base/names.h"
 #include "base/number_in.h"
+#include "events/event_model.h"
 #include "events/noise/presets.h"
+#include "saccade/wire/noise_units.h"
 #include "saccade/wire/ranges.h"
 
 namespace saccade::eval {
@@ -45,11 +47,11 @@ void addSensorOptions(CLI::App& app, SensorOptions& o) {
   app.add_option("--threshold-off", o.threshold_off,
                  "threshold of OFF events; default: that of ON events, in the preset's proportion")
       ->check(threshold);
+  app.add_option("--model", o.model, "event model: " + eventModelNames())->capture_default_str();
   app.add_option("--refractory", o.refractory_s, "seconds for which a pixel is blind after an event")
       ->check(NumberIn(ranges::kRefractory.min, ranges::kRefractory.max));
-  app.add_option(
-         "--noise", o.noise,
-         "KEY=VALUE, an amount of the noise; may be given again. The keys are " + joinRowNames(noiseFields()))
+  app.add_option("--noise", o.noise,
+                 "KEY=VALUE, an amount of the noise; may be given again. The keys are " + noiseUnitTexts())
       ->allow_extra_args(false);
   app.add_option("--bias", o.bias, "I_eps, scene luminance")
       ->check(NumberIn(ranges::kBias.min, ranges::kBias.max))
@@ -68,6 +70,7 @@ SensorConfig configOf(const SensorOptions& o) {
   config.threshold_off = off;
   config.refractory = TimeNs(std::llround(o.refractory_s.value_or(preset.refractory_s) * 1e9));
   config.bias = o.bias;
+  config.model = o.model;
   config.seed = o.seed;
   config.noise = preset.noise;
   for (const std::string& noise : o.noise) setNoise(config.noise, noise);

@@ -16,8 +16,9 @@ namespace saccade::eval {
 struct SensorOptions {
   // Without a value: that of the preset, or the default.
   std::optional<double> threshold, threshold_off, refractory_s;
-  std::string preset;              // a name of sensorPresets(), or empty
-  std::vector<std::string> noise;  // "KEY=VALUE" each
+  std::string model = SensorConfig{}.model;  // a name of eventModelTable()
+  std::string preset;                        // a name of sensorPresets(), or empty
+  std::vector<std::string> noise;            // "KEY=VALUE" each
   double bias = SensorConfig{}.bias;
   std::uint64_t seed = 0;
 };

@@ -14,6 +14,7 @@ class Accumulating final : public EventModel {
  public:
   Accumulating(const SensorConfig& config, int width, int height)
       : pixels_(config, width, height), v_(width, height) {
+    if (!config.random_start) return;
     // L_0 is unknown: every pixel starts at a random level between its thresholds.
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {

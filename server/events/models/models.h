@@ -9,5 +9,6 @@ namespace saccade {
 
 std::unique_ptr<EventModel> makeAccumulating(const SensorConfig& config, int width, int height);
 std::unique_ptr<EventModel> makeProbabilistic(const SensorConfig& config, int width, int height);
+std::unique_ptr<EventModel> makeStochastic(const SensorConfig& config, int width, int height);
 
 }  // namespace saccade

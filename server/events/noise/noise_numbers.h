@@ -18,7 +18,8 @@ enum class NoiseNumbers : std::uint64_t {
   kHotPixels,
   kHotPhase,
   kDeadPixels,
-  kJitter
+  kJitter,
+  kRates
 };
 
 inline std::uint64_t noiseKey(std::uint64_t seed, NoiseNumbers use) {

@@ -3,6 +3,7 @@
 #include "events/noise/periodic_noise.h"
 #include "events/noise/pixel_choice.h"
 #include "events/noise/shot_noise.h"
+#include "events/noise/spread_leak.h"
 
 namespace saccade {
 
@@ -16,9 +17,13 @@ std::vector<std::unique_ptr<NoiseSource>> makeNoiseSources(const SensorConfig& c
                                            rate_hz, key(phase), width);
   };
   std::vector<std::unique_ptr<NoiseSource>> sources;
-  if (noise.leak_hz > 0) sources.push_back(periodic(1, noise.leak_hz, NoiseNumbers::kLeakPhase));
+  if (noise.leak_hz > 0 && noise.rate_spread > 0) {
+    sources.push_back(std::make_unique<SpreadLeak>(config, width, height));
+  } else if (noise.leak_hz > 0) {
+    sources.push_back(periodic(1, noise.leak_hz, NoiseNumbers::kLeakPhase));
+  }
   if (noise.shot_hz > 0) {
-    sources.push_back(std::make_unique<ShotNoise>(noise, key(NoiseNumbers::kShot), width, height));
+    sources.push_back(std::make_unique<ShotNoise>(config, width, height));
   }
   if (noise.hot_fraction > 0 && noise.hot_hz > 0) {
     sources.push_back(periodic(noise.hot_fraction, noise.hot_hz, NoiseNumbers::kHotPhase));

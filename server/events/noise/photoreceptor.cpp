@@ -5,6 +5,7 @@
 
 #include "base/log_ratio.h"
 #include "base/units.h"
+#include "events/noise/asymmetric_lag.h"
 #include "events/noise/decay.h"
 
 namespace saccade {
@@ -18,11 +19,15 @@ float settle(float lag) {
   return std::abs(lag) < kAtRest ? 0 : lag;
 }
 
+float rateOf(const auto& poles, float share, float I) {
+  const float luminance = I - I == 0 ? clampTo(I + poles.dark, 0, poles.white) : 0;
+  return poles.per_luminance * (luminance + kDark * poles.white) * share;
+}
+
 // The change of the output of one pixel over `share` of the interval.
 template <bool kFollower>
 float respond(const auto& poles, float share, float I, float dL, float& lag, float* follower) {
-  const float luminance = I - I == 0 ? clampTo(I, 0, poles.white) : 0;
-  const float a1 = poles.per_luminance * (luminance + kDark * poles.white) * share;
+  const float a1 = rateOf(poles, share, I);
   const float before = lag, after = settle(decay(a1) * before + decayBetween(0, a1) * dL);
   lag = after;
   float out = dL + (before - after);
@@ -34,6 +39,25 @@ float respond(const auto& poles, float share, float I, float dL, float& lag, flo
     out += g - g_after;
   }
   return out;
+}
+
+// The same with an asymmetry. The follower sees a straight line from one end of the piece to the other.
+float respondAsymmetrically(const auto& poles, float share, float I, float dL, float& lag, float* follower) {
+  const float before = lag;
+  lag = settle(static_cast<float>(asymmetricLag(poles.asymmetry, rateOf(poles, share, I), dL, before)));
+  float out = dL + (before - lag);
+  if (follower) {
+    const float g = *follower, a2 = poles.a2 * share;
+    *follower = settle(decay(a2) * g + decayBetween(0, a2) * out);
+    out += g - *follower;
+  }
+  return out;
+}
+
+void filterRowAsymmetrically(const auto& poles, const auto& shareOf, const float* I, int width, float* lag,
+                             float* follower, float* dL) {
+  for (int x = 0; x < width; ++x)
+    dL[x] = respondAsymmetrically(poles, shareOf(x), I[x], dL[x], lag[x], follower ? follower + x : nullptr);
 }
 
 template <bool kFollower>
@@ -51,9 +75,10 @@ double bandwidth(double hz, double dt) {
 
 }  // namespace
 
-// Of an interval: the reference luminance, a1 over the luminance, a2.
+// Of an interval: the reference luminance, the dark luminance, a1 over the luminance, a2.
 struct Photoreceptor::Poles {
-  float white, per_luminance, a2;
+  float white, dark, per_luminance, a2;
+  double asymmetry;
 };
 
 Photoreceptor::Photoreceptor(const NoiseConfig& noise, int width, int height)
@@ -70,9 +95,9 @@ void Photoreceptor::change(const NoiseConfig& noise) {
 Photoreceptor::Poles Photoreceptor::polesOf(const IntensityChange& change) const {
   const double dt = 2 * std::numbers::pi * seconds(change.t1 - change.t0);
   const double R = noise_.reference_luminance;
-  return {static_cast<float>(R),
+  return {static_cast<float>(R), static_cast<float>(noise_.dark_luminance),
           static_cast<float>(bandwidth(noise_.photoreceptor_hz, dt) * dt / (R * (1 + kDark))),
-          static_cast<float>(bandwidth(noise_.follower_hz, dt) * dt)};
+          static_cast<float>(bandwidth(noise_.follower_hz, dt) * dt), noise_.asymmetry};
 }
 
 void Photoreceptor::filter(const IntensityChange& change, ImageF& dL, const ImageF* from) {
@@ -81,7 +106,9 @@ void Photoreceptor::filter(const IntensityChange& change, ImageF& dL, const Imag
     const float *I = change.I_now.row(y), *begin = from ? from->row(y) : nullptr;
     float* follower = follower_lag_ ? follower_lag_->row(y) : nullptr;
     const auto filter = [&](const auto& shareOf) {
-      if (follower) {
+      if (noise_.asymmetry > 0) {
+        filterRowAsymmetrically(poles, shareOf, I, dL.width(), lag_.row(y), follower, dL.row(y));
+      } else if (follower) {
         filterRow<true>(poles, shareOf, I, dL.width(), lag_.row(y), follower, dL.row(y));
       } else {
         filterRow<false>(poles, shareOf, I, dL.width(), lag_.row(y), follower, dL.row(y));
@@ -101,8 +128,13 @@ void Photoreceptor::filter(const IntensityChange& change, Pieces& pieces) {
   for (int i = 0; i < pieces.count; ++i) {
     const float share = pieces.to[i] - pieces.from[i], I = pieces.I[i];
     float &lag = lag_.at(pieces.x[i], pieces.y[i]), &dL = pieces.dL[i];
-    dL = follower_lag_ ? respond<true>(poles, share, I, dL, lag, &follower_lag_->at(pieces.x[i], pieces.y[i]))
-                       : respond<false>(poles, share, I, dL, lag, nullptr);
+    float* follower = follower_lag_ ? &follower_lag_->at(pieces.x[i], pieces.y[i]) : nullptr;
+    if (noise_.asymmetry > 0) {
+      dL = respondAsymmetrically(poles, share, I, dL, lag, follower);
+    } else {
+      dL = follower ? respond<true>(poles, share, I, dL, lag, follower)
+                    : respond<false>(poles, share, I, dL, lag, nullptr);
+    }
   }
 }
 

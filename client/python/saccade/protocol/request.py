@@ -15,7 +15,7 @@ from saccade.v1 import control_pb2 as c
 from saccade.v1 import noise_pb2
 
 OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "object_ids", "max_artefact_odds",
-                  "model", "reconstruction")
+                  "model", "start_level", "reconstruction")
 OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "clearance", "start", "objects", "method", "spp",
              "params", "disable", "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
