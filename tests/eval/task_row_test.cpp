@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "eval/tasks/task_chart.h"
+
 namespace saccade::eval {
 namespace {
 
@@ -37,6 +39,7 @@ TEST(TaskRows, MakeATableForEachView) {
   EXPECT_EQ(csvOf({all[2]}),
             "scene,noise,task,method,spp,cpu_ms,events,error,standard_error,answers\n"
             "box,none,normal_flow,svgf,2,4,0.25,0.4,0.1,15\n");
+  EXPECT_NE(csvOf({all[3]}).find(",0.25,nan,nan,0\n"), std::string::npos);
   for (TaskRow noisy : rows()) noisy.noise = "davis346", all.push_back(noisy);
   const std::string table = tableOf(all);
   EXPECT_EQ(table.find("box\n"), 0u) << table;

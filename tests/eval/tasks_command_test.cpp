@@ -72,6 +72,8 @@ TEST_F(TasksCommand, RefusesWrongFlags) {
   expectSaid("there is no \"eye\"; there are: none, davis346, ");
   EXPECT_EQ(tasks("cornell-box --methods event_svgf --spp 3"), 2);
   EXPECT_EQ(tasks(""), 2);
+  EXPECT_EQ(tasks("cornell-box --size 8x8 --frames 1:2 --motion truck:1px --tasks rotation"), 1);
+  expectSaid("no task applies; rotation needs a camera that only turns");
 }
 
 }  // namespace

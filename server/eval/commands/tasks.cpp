@@ -12,6 +12,7 @@
 #include "eval/commands/commands.h"
 #include "eval/pictures/text.h"
 #include "eval/tasks/task_bench.h"
+#include "eval/tasks/task_chart.h"
 #include "events/noise/presets.h"
 
 namespace saccade::eval {

@@ -1,6 +1,7 @@
 #include "eval/tasks/task_bench.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "eval/bench/interrupt.h"
 #include "eval/bench/progress.h"
@@ -14,6 +15,10 @@ class TaskRuns {
       : plan_(plan), truth_(truthOf(bench, plan.sensors.front().config.bias, pool)) {
     for (const Task* task : plan.tasks)
       if (task->applies(truth_)) tasks_.push_back(task);
+    if (tasks_.empty())
+      throw std::runtime_error(plan.scene +
+                               ": no task applies; rotation needs a camera that only turns, and "
+                               "moving_objects a body that moves");
   }
 
   // Rows without scores, for each sensor and task.
@@ -47,7 +52,7 @@ class TaskRuns {
                           const std::vector<TaskRow>& rows) {
     SensorConfig config = sensor.config;
     config.seed = static_cast<std::uint64_t>(seed);
-    if (!rows.empty() && rows.front().isReference()) config.reconstruction = "direct";
+    if (rows.front().isReference()) config.reconstruction = "direct";
     return eventsOf(changes, config);
   }
 

@@ -23,7 +23,8 @@ struct TaskPlan {
 };
 
 // By sensor and source, with the reference first, and then by task. Leaves out tasks that do not apply. Shows
-// its progress. Each method must take all of `spp`. Throws Interrupted.
+// its progress. Each method must take all of `spp`. Throws Interrupted, and std::runtime_error where no task
+// applies.
 std::vector<TaskRow> runTasks(const Bench& bench, const TaskPlan& plan, TilePool& pool);
 
 }  // namespace saccade::eval

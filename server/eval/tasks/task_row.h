@@ -1,4 +1,4 @@
-// The scores of tasks as rows, as a table and as a chart.
+// The scores of tasks as rows, and as a table.
 #pragma once
 
 #include <string>
@@ -22,14 +22,13 @@ struct TaskRow {
   double error() const;          // mean over the scores with an answer; NaN if none has
   double standardError() const;  // of it, over the seeds; NaN of less than two
   double answers() const;        // mean over all scores
+  std::string view() const;      // the scene and the noise, as a title
+  bool sameView(const TaskRow& other) const { return scene == other.scene && noise == other.noise; }
   bool isReference() const { return method == kReferenceSource; }
 };
 
 std::string csvOf(const std::vector<TaskRow>& rows);
 // A table for each scene and noise: a line for each source, and a column for each task.
 std::string tableOf(const std::vector<TaskRow>& rows);
-// SVG: a row of panels for each scene and noise, which shows the error of each task against the CPU time of
-// rendering. The error of the reference is a black line. All scenes and noises must have the same tasks.
-std::string chartOf(const std::vector<TaskRow>& rows);
 
 }  // namespace saccade::eval
