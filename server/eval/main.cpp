@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
   saccade::eval::addRefineCommand(app);
   saccade::eval::addSensorCommand(app);
   saccade::eval::addSimplificationCommand(app);
+  saccade::eval::addTasksCommand(app);
   saccade::eval::addTimesCommand(app);
   saccade::eval::requireSubcommand(app, "command");
   app.set_version_flag("--version", SACCADE_VERSION);

@@ -75,7 +75,7 @@ class Place:
             (EVAL, "compare-renders"): ({"picture": str(self.csv), "reference": str(self.csv)}, []),
             (EVAL, "bake"): (scene, ["--size", "8x8", "--frames", "1", "--output", str(self.folder / "bake")]),
             (EVAL, "cells"): ({"scenes": "cornell-box"}, figure), (EVAL, "chart"): ({"scenes": "cornell-box"}, figure),
-            (EVAL, "odds"): ({"scenes": "cornell-box"}, figure),
+            (EVAL, "odds"): ({"scenes": "cornell-box"}, figure), (EVAL, "tasks"): ({"scenes": "cornell-box"}, figure),
             **{(EVAL, "figure", name): ({"scenes": "cornell-box"}, figure) for (name,) in commands_of(EVAL, "figure")},
             (EVAL, "sensor"): ({}, ["--size", "4x4"]),
             (EVAL, "simplification"): ({"scenes": "cornell-box"}, [*quick, "--output", str(self.folder / "s.csv")]),

@@ -41,7 +41,8 @@ TEXTS = {
     "scenes": NAMES, "dump": ["$NONE", "$FILE"], "reference": ["$NONE", "$FILE"], "picture": ["$NONE", "$FOLDER", "$FILE"],
     "--dump": NEW_FOLDERS, "--cache": NEW_FOLDERS, "--frames": RANGES, "--methods": METHODS, "--metrics": NAMES,
     "--within": ["20", "ms", "x%", "nan%", "-1ms"], "--candidates": SETTINGS, "--baselines": SETTINGS, "--motions": NAMES,
-    "--tolerance": ["2", "0%", "nan%", "200%"], "--curves": NAMES, "--leave-out": ["1,2", "1,2,3", "a,b,cxd", "0,0,0x0"],
+    "--tolerance": ["2", "0%", "nan%", "200%"], "--curves": NAMES, "--tasks": NAMES,
+    "--leave-out": ["1,2", "1,2,3", "a,b,cxd", "0,0,0x0"],
 }
 NUMBERS = {"FLOAT": ["five", "nan", "inf", "-1e300", "5px"], "INT": ["five", "nan", "2.5", "-1e300", "5px"],
            "UINT": ["five", "-1", "2.5", "99999999999999999999"]}

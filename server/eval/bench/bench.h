@@ -68,13 +68,13 @@ class Bench {
   double referenceError() const;  // of the truth's dI, relative L1, mean over the frames
   double medianPxPerFrame() const { return median_px_; }  // of the images of surfaces, into the last frame
   BenchView view() const;                                 // renders features, and no truth
+  Feed features() const;  // of the same frames, by a feed of the least cost, which is at frame 0
   // Passes the changes of all frames from 1 on to `each`, if given. Throws Interrupted.
   BenchRun run(const MethodSpec& method, int spp, std::uint64_t seed,
                const std::function<void(const IntensityChange&)>& each = {}) const;
 
  private:
   FeedConfig feedConfig() const;
-  Feed features() const;
   std::shared_ptr<const BakedLight> baked() const;
   void renderTruth();
 

@@ -19,6 +19,7 @@ void addRefineCommand(CLI::App& app);
 void addSceneCommand(CLI::App& app);
 void addSensorCommand(CLI::App& app);
 void addSimplificationCommand(CLI::App& app);
+void addTasksCommand(CLI::App& app);
 void addTimesCommand(CLI::App& app);
 
 // Requires one of the subcommands of `app`. The error for another word lists them; `what` is what they are.
