@@ -3,6 +3,7 @@
 #include "base/names.h"
 #include "base/range.h"
 #include "base/text_cut.h"
+#include "methods/a_svgf.h"
 #include "methods/event_svgf.h"
 #include "methods/irradiance_cache.h"
 #include "methods/path_traced.h"
@@ -12,7 +13,11 @@ namespace saccade {
 const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
       IrradianceCache::info(),  // the default
-      EventSvgf::info(),       Svgf::info(), PathTraced::correlatedInfo(), PathTraced::independentInfo(),
+      EventSvgf::info(),
+      Svgf::info(),
+      ASvgf::info(),
+      PathTraced::correlatedInfo(),
+      PathTraced::independentInfo(),
   };
   return table;
 }
