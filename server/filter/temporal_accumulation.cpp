@@ -26,7 +26,7 @@ struct Recursion {
     const float i = samples.i.at(x, y);
 
     // A history of h frames is their plain mean until 1/h falls below alpha [Falcor].
-    // What is out of date shortens it, so that the variance starts anew too [ours].
+    // Light that has changed shortens it, so that the variance starts anew too [ours].
     const float lambda = params.gradient ? params.gradient->change(x, y) : 0.f;
     const float older = W.found() ? std::min(params.max_history - 1, prev.length.row(0)[W.strongest()]) : 0.f;
     const float h = 1 + (1 - lambda) * older;

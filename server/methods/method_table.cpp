@@ -4,6 +4,7 @@
 #include "base/range.h"
 #include "base/text_cut.h"
 #include "methods/a_svgf.h"
+#include "methods/adaptive_sampling.h"
 #include "methods/event_svgf.h"
 #include "methods/irradiance_cache.h"
 #include "methods/path_traced.h"
@@ -16,6 +17,7 @@ const std::vector<MethodInfo>& methodTable() {
       EventSvgf::info(),
       Svgf::info(),
       ASvgf::info(),
+      AdaptiveSampling::info(),
       PathTraced::correlatedInfo(),
       PathTraced::independentInfo(),
   };
