@@ -8,6 +8,7 @@
 #include "methods/event_svgf.h"
 #include "methods/irradiance_cache.h"
 #include "methods/path_traced.h"
+#include "methods/relax.h"
 #include "methods/svgf.h"
 
 namespace saccade {
@@ -15,6 +16,7 @@ const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
       IrradianceCache::info(),  // the default
       EventSvgf::info(),
+      Relax::info(),
       Svgf::info(),
       ASvgf::info(),
       AdaptiveSampling::info(),
