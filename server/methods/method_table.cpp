@@ -4,6 +4,7 @@
 #include "base/range.h"
 #include "base/text_cut.h"
 #include "methods/a_svgf.h"
+#include "methods/adaptive_denoising.h"
 #include "methods/adaptive_sampling.h"
 #include "methods/event_svgf.h"
 #include "methods/irradiance_cache.h"
@@ -19,6 +20,7 @@ const std::vector<MethodInfo>& methodTable() {
       Relax::info(),
       Svgf::info(),
       ASvgf::info(),
+      AdaptiveDenoising::info(),
       AdaptiveSampling::info(),
       PathTraced::correlatedInfo(),
       PathTraced::independentInfo(),
