@@ -81,7 +81,14 @@ std::array<float, 3> placeAt(const GBuffer& g, float x, float y, float z) {
 
 RegressionFeatures featuresAt(const GBuffer& g, int x, int y) {
   const auto place = placeAt(g, static_cast<float>(x), static_cast<float>(y), g.z.at(x, y));
-  return {g.albedo.at(x, y), g.nx.at(x, y), g.ny.at(x, y), g.nz.at(x, y), place[0], place[1], place[2]};
+  const float E = g.emission.at(x, y);
+  return {g.albedo.at(x, y) + E / (E + 1),
+          g.nx.at(x, y),
+          g.ny.at(x, y),
+          g.nz.at(x, y),
+          place[0],
+          place[1],
+          place[2]};
 }
 
 LocalModel fitLocally(const GBuffer& g, const ImageF& brightness, int x, int y, int radius) {

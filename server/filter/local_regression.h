@@ -13,7 +13,8 @@
 
 namespace saccade {
 
-// Albedo, normal, and place: pixel times depth on both axes, and depth. Their scales do not matter.
+// Albedo, normal, and place: pixel times depth on both axes, and depth. Their scales do not matter. The
+// albedo of what emits E has E / (E + 1) more [Falcor].
 inline constexpr std::size_t kRegressionFeatures = 7;
 using RegressionFeatures = std::array<float, kRegressionFeatures>;
 

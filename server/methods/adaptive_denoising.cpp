@@ -46,15 +46,13 @@ float lightOf(float brightness, float white) {
 }  // namespace
 
 MethodInfo AdaptiveDenoising::info() {
-  MethodInfo info{"adaptive_denoising",
-                  "regression of brightness over features, whose parameters are kept until an event may come",
-                  paramSpecs(fields()),
-                  [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
-                  [](const MethodSetup& setup) -> std::unique_ptr<Method> {
-                    return std::make_unique<AdaptiveDenoising>(makeParams(fields(), setup.params),
-                                                               setup.width, setup.height);
-                  }};
-  return info;
+  return {"adaptive_denoising",
+          "regression of brightness over features, whose parameters are kept until an event may come",
+          paramSpecs(fields()), [](const ParamValues&) -> SeedPlanner { return SeedPlan::independent; },
+          [](const MethodSetup& setup) -> std::unique_ptr<Method> {
+            return std::make_unique<AdaptiveDenoising>(makeParams(fields(), setup.params), setup.width,
+                                                       setup.height);
+          }};
 }
 
 AdaptiveDenoising::AdaptiveDenoising(const P& params, int w, int h)

@@ -58,6 +58,11 @@ TEST_F(Fixture, KeepsAnEdgeOfTexture) {
   EXPECT_NEAR(fitLocally(frame.g, brightness, 15, 10, kRadius).a, 4, 1e-3f);
 }
 
+TEST_F(Fixture, SeesALampByItsEmission) {
+  frame.g.emission.at(15, 10) = 1;
+  EXPECT_FLOAT_EQ(featuresAt(frame.g, 15, 10)[0], featuresAt(frame.g, 14, 10)[0] + 0.5f);
+}
+
 TEST_F(Fixture, AWindowOfOneValueIsItsMean) {
   test::fillInside(brightness, 7);
   for (ImageF* plane : {&frame.g.z, &frame.g.nz}) test::fillInside(*plane, 0);
