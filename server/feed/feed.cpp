@@ -5,7 +5,9 @@
 #include "base/quantile.h"
 #include "base/thread_time.h"
 #include "feed/refinement.h"
+#include "methods/round_method.h"
 #include "render/primary/sub_pixel.h"
+#include "render/render_pixels.h"
 
 namespace saccade {
 namespace {
@@ -14,6 +16,25 @@ const MethodInfo& methodOf(const FeedConfig& config) {
   const MethodInfo* info = findMethod(config.method);
   SACCADE_CHECK(info != nullptr);
   return *info;
+}
+
+RenderSettings settingsOf(const FeedConfig& config, const RenderScene& scene) {
+  return {config.bounces, config.monochrome ? 1 : scene.channels(), config.jitter};
+}
+
+// `seeds` are of all rounds.
+std::chrono::nanoseconds renderRounds(const RenderSettings& settings, const PixelContext& view,
+                                      const SeedPlan& seeds, RoundMethod& method, const PoolHandle& pool,
+                                      Frame& out) {
+  std::chrono::nanoseconds time{0};
+  SeedPlan round = seeds;
+  round.all = seeds.spp2;
+  while ((round.spp2 = method.nextRound(seeds.spp2, pool)) > 0) {
+    time += renderPixels(settings, view, round, method.wanted(), pool, out);
+    method.take(out, pool);
+    round.before += round.spp2;
+  }
+  return time;
 }
 
 }  // namespace
@@ -31,7 +52,7 @@ Feed::Feed(std::shared_ptr<const RenderScene> scene, Trajectory path, const Feed
       lens_(config.camera),
       posed_{PosedScene(scene, config.body_paths), PosedScene(scene, config.body_paths)},
       path_(std::move(path)),
-      renderer_({config.bounces, config.monochrome ? 1 : scene->channels(), config.jitter}),
+      renderer_(settingsOf(config, *scene)),
       method_(std::move(method)),
       seeds_(seeds),
       frames_(config.camera.width, config.camera.height,
@@ -118,7 +139,10 @@ void Feed::render(TimeNs t, const PoolHandle& pool) {
   const SeedPlan seeds = seeds_(config_.seed, frame.index, config_.spp);
   SurfaceMethod* method = method_->onSurfaces();
   if (!method) {
-    times_[Stage::kTrace] += renderer_.render(view, seeds, pool, frame);
+    auto* rounds = dynamic_cast<RoundMethod*>(method_.get());
+    times_[Stage::kTrace] +=
+        rounds ? renderRounds(settingsOf(config_, scene()), view, seeds, *rounds, pool, frame)
+               : renderer_.render(view, seeds, pool, frame);
     return;
   }
   const SurfaceFrame next =

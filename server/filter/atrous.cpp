@@ -52,7 +52,7 @@ std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousPa
       AtrousChannel primal(in.i, in.var_i, x0, y, n, params.sigma_l, params.repeat_edge_variance);
       AtrousChannel difference(in.d, in.var_d, x0, y, n_diff, params.sigma_l_diff,
                                params.repeat_edge_variance);
-      filter(signal, {cur, prev, n, in.i.stride(), step, params.sigma_n, primal, difference});
+      filter(signal, {cur, prev, n, in.i.stride(), step, params.sigma_n, params.kernel, primal, difference});
       primal.store(n, out.i.row(y) + x0, out.var_i.row(y) + x0);
       difference.store(n_diff, out.d.row(y) + x0, out.var_d.row(y) + x0);
     }

@@ -42,6 +42,7 @@ struct AtrousChunk {
   std::ptrdiff_t stride;  // of all planes
   int step;
   float sigma_n;
+  AtrousKernel kernel;
   AtrousChannel &primal, &difference;
 };
 

@@ -5,13 +5,20 @@
 
 namespace saccade::detail {
 
-constexpr float kKernel[3] = {1, 2.f / 3, 1.f / 6};  // h(q), separable, by distance
+// h(q) of each AtrousKernel: separable, by distance, 1 at the centre.
+constexpr float kKernels[2][3] = {{1, 2.f / 3, 1.f / 6}, {1, 0.27901f / 0.44198f, 0}};
 
 struct Tap {
   std::ptrdiff_t o;  // from the centre
   float h, inv_distance;
 };
-using Taps = std::array<Tap, 24>;  // all but the centre
+// All but the centre.
+struct Taps {
+  const Tap* begin() const { return taps.data(); }
+  const Tap* end() const { return taps.data() + count; }
+  std::array<Tap, 24> taps;
+  std::size_t count = 0;
+};
 
 template <int W>
 [[gnu::always_inline]] inline Floats<W> loadAnywhere(const float* p) {
@@ -97,14 +104,15 @@ void filterChunk(const AtrousChunk& chunk, const Taps& taps) {
 template <int W>
 void filterChunk(AtrousSignal signal, const AtrousChunk& chunk) {
   Taps taps;
-  std::size_t next = 0;
-  for (int dy = -2; dy <= 2; ++dy) {
-    for (int dx = -2; dx <= 2; ++dx) {
+  const float(&kernel)[3] = kKernels[static_cast<int>(chunk.kernel)];
+  const int radius = chunk.kernel == AtrousKernel::k5x5 ? 2 : 1;
+  for (int dy = -radius; dy <= radius; ++dy) {
+    for (int dx = -radius; dx <= radius; ++dx) {
       if (dx == 0 && dy == 0) continue;
       const float distance = std::sqrt(static_cast<float>(dx * dx + dy * dy));
-      taps[next++] = {chunk.step * (dy * chunk.stride + dx),
-                      kKernel[dx < 0 ? -dx : dx] * kKernel[dy < 0 ? -dy : dy],
-                      1 / (static_cast<float>(chunk.step) * distance)};
+      taps.taps[taps.count++] = {chunk.step * (dy * chunk.stride + dx),
+                                 kernel[dx < 0 ? -dx : dx] * kernel[dy < 0 ? -dy : dy],
+                                 1 / (static_cast<float>(chunk.step) * distance)};
     }
   }
   if (signal == AtrousSignal::kPrimal) return filterChunk<W, AtrousSignal::kPrimal>(chunk, taps);

@@ -2,6 +2,7 @@
 
 #include "filter/reprojection.h"
 #include "filter/surface_test.h"
+#include "filter/temporal_gradient.h"
 
 namespace saccade {
 namespace {
@@ -25,8 +26,13 @@ struct Recursion {
     const float i = samples.i.at(x, y);
 
     // A history of h frames is their plain mean until 1/h falls below alpha [Falcor].
-    const float h = W.found() ? std::min(params.max_history, prev.length.row(0)[W.strongest()] + 1) : 1.f;
-    const float alpha = std::max(params.alpha, 1 / h), alpha_m = std::max(params.moments_alpha, 1 / h);
+    // Light that has changed shortens it, so that the variance starts anew too [ours].
+    const float lambda = params.gradient ? params.gradient->change(x, y) : 0.f;
+    const float older = W.found() ? std::min(params.max_history - 1, prev.length.row(0)[W.strongest()]) : 0.f;
+    const float h = 1 + (1 - lambda) * older;
+    // alpha_i = (1 - lambda) alpha + lambda [Schied et al. 2018]
+    const float alpha = std::max(mix(params.alpha, 1, lambda), 1 / h);
+    const float alpha_m = std::max(mix(params.moments_alpha, 1, lambda), 1 / h);
     out.length.at(x, y) = h;
 
     // I'_t = alpha I_t + (1 - alpha) W_t I'_{t-1} [E (13)]

@@ -10,6 +10,8 @@
 
 namespace saccade {
 
+class TemporalGradient;
+
 // How a surface is found in the previous frame, see surface_test.h.
 enum class SurfaceTest { kSameSurface, kFalcorSurface };
 
@@ -18,8 +20,9 @@ struct AccumulationParams {
   float moments_alpha = 0.2f;  // the same for the moments
   float max_history = 32;      // frames
   SurfaceTest surface_test = SurfaceTest::kSameSurface;
-  bool accumulate_difference = true;  // off: D' = d (ablation of Fig. 9 C)
-  bool correct_difference = true;     // off: without the last two terms of [E (16)]
+  bool accumulate_difference = true;           // off: D' = d (ablation of Fig. 9 C)
+  bool correct_difference = true;              // off: without the last two terms of [E (16)]
+  const TemporalGradient* gradient = nullptr;  // raises both weights where light has changed; nullptr: none
 };
 
 // Returns the CPU time over all threads. Without `I_prev2` it accumulates only the primal.

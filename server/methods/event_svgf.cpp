@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "filter/demodulation.h"
+#include "filter/motion_alignment.h"
 
 namespace saccade {
 namespace {
@@ -22,6 +23,9 @@ const std::vector<ParamField<P>>& fields() {
       {"demodulate", &P::demodulate, 0, 1, "light is divided by albedo before filtering",
        "paper 4.4.3, Fig. 9 D"},
       {"correction", &P::correction, 0, 1, "the last two terms of [E (16)]", "paper 4.4.2"},
+      {"motion_aligned", &P::motion_aligned, 0, 1,
+       "1: the difference follows the surface, and a correction makes it that of the pixel",
+       "paper, appendix C"},
   });
   return table;
 }
@@ -30,22 +34,32 @@ Demodulation demodulation(const P& params) {
   return params.demodulate ? Demodulation::kAlbedo : Demodulation::kNone;
 }
 
+// The pass that shares its numbers with the frame before, and its companion.
+SeedPlanner seedsOf(const P& p) {
+  if (!p.correlated)
+    return p.independent_numbers ? SeedPlan::byChance<SeedPlan::independentPairs>
+                                 : SeedPlan::independentPairs;
+  if (p.motion_aligned)
+    return p.independent_numbers ? SeedPlan::byChance<SeedPlan::correlatedAlongMotion>
+                                 : SeedPlan::correlatedAlongMotion;
+  return p.independent_numbers ? SeedPlan::byChance<SeedPlan::correlated> : SeedPlan::correlated;
+}
+
+// Whether the filter of the difference heeds the pixel's own surface of the frame before. The surface that
+// the motion leads to is the same.
+bool usePrev(const P& p) {
+  return p.w_prev && !p.motion_aligned;
+}
+
 }  // namespace
 
 MethodInfo EventSvgf::info() {
-  return {"event_svgf",
-          "EventSVGF: correlated passes, the difference accumulated and filtered beside the primal",
-          paramSpecs(fields()),
-          [](const ParamValues& values) -> SeedPlanner {
-            const P p = makeParams(fields(), values);
-            if (p.independent_numbers)
-              return p.correlated ? SeedPlan::byChance<SeedPlan::correlated>
-                                  : SeedPlan::byChance<SeedPlan::independentPairs>;
-            return p.correlated ? SeedPlan::correlated : SeedPlan::independentPairs;
-          },
-          [](const MethodSetup& setup) -> std::unique_ptr<Method> {
-            return std::make_unique<EventSvgf>(makeParams(fields(), setup.params), setup.width, setup.height);
-          }};
+  return {
+      "event_svgf", "EventSVGF: correlated passes, the difference accumulated and filtered beside the primal",
+      paramSpecs(fields()), [](const ParamValues& values) { return seedsOf(makeParams(fields(), values)); },
+      [](const MethodSetup& setup) -> std::unique_ptr<Method> {
+        return std::make_unique<EventSvgf>(makeParams(fields(), setup.params), setup.width, setup.height);
+      }};
 }
 
 EventSvgf::EventSvgf(const EventSvgfParams& p, int w, int h)
@@ -54,13 +68,13 @@ EventSvgf::EventSvgf(const EventSvgfParams& p, int w, int h)
                     .moments_alpha = p.moments_alpha,
                     .max_history = static_cast<float>(p.max_history),
                     .accumulate_difference = p.accumulate_difference,
-                    .correct_difference = p.correction},
-      variance_{.sigma_l = p.sigma_l, .sigma_n = p.sigma_n, .use_prev = p.w_prev},
+                    .correct_difference = p.correction && !p.motion_aligned},
+      variance_{.sigma_l = p.sigma_l, .sigma_n = p.sigma_n, .use_prev = usePrev(p)},
       atrous_{.sigma_z = p.sigma_z,
               .sigma_n = p.sigma_n,
               .sigma_l = p.sigma_l,
               .sigma_l_diff = p.sigma_l_diff,
-              .use_prev = p.w_prev},
+              .use_prev = usePrev(p)},
       samples_(w, h),
       history_(w, h),
       history_prev_(w, h),
@@ -81,6 +95,7 @@ void EventSvgf::estimate(const FramePair& frames, const PoolHandle& pool, Intens
   std::swap(i_prev_, filtered_.i);
   std::swap(var_i_prev_, filtered_.var_i);
   filter(frames, pool, times);
+  if (params_.motion_aligned) times[Stage::kModulate] += correctAlignment(frames, i_prev_, pool, filtered_);
   times[Stage::kModulate] += modulate(frames, demodulation(params_), params_.varianceScale(), filtered_,
                                       i_prev_, var_i_prev_, pool, out);
 }
@@ -88,6 +103,8 @@ void EventSvgf::estimate(const FramePair& frames, const PoolHandle& pool, Intens
 void EventSvgf::filter(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   // (A) Samples, demodulated.
   times[Stage::kModulate] += demodulate(frames, demodulation(params_), pool, samples_);
+  if (params_.motion_aligned)
+    times[Stage::kModulate] += alignDifference(frames, demodulation(params_), pool, samples_.d);
 
   // (B) Accumulate along the motion vectors. I_prev2_ receives I'_{t-2}; its old storage becomes I'_t.
   std::swap(I_prev2_, history_prev_.I);

@@ -17,6 +17,7 @@ struct EventSvgfParams : SvgfCommonParams {
   bool accumulate_difference = true;
   bool demodulate = true;
   bool correction = true;
+  bool motion_aligned = false;  // appendix C
 };
 
 class EventSvgf final : public Method {

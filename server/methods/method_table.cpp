@@ -3,16 +3,27 @@
 #include "base/names.h"
 #include "base/range.h"
 #include "base/text_cut.h"
+#include "methods/a_svgf.h"
+#include "methods/adaptive_denoising.h"
+#include "methods/adaptive_sampling.h"
 #include "methods/event_svgf.h"
 #include "methods/irradiance_cache.h"
 #include "methods/path_traced.h"
+#include "methods/relax.h"
 #include "methods/svgf.h"
 
 namespace saccade {
 const std::vector<MethodInfo>& methodTable() {
   static const std::vector<MethodInfo> table{
       IrradianceCache::info(),  // the default
-      EventSvgf::info(),       Svgf::info(), PathTraced::correlatedInfo(), PathTraced::independentInfo(),
+      EventSvgf::info(),
+      Relax::info(),
+      Svgf::info(),
+      ASvgf::info(),
+      AdaptiveDenoising::info(),
+      AdaptiveSampling::info(),
+      PathTraced::correlatedInfo(),
+      PathTraced::independentInfo(),
   };
   return table;
 }

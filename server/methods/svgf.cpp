@@ -57,12 +57,13 @@ MethodInfo Svgf::info() {
           }};
 }
 
-Svgf::Svgf(const SvgfParams& p, int w, int h)
+Svgf::Svgf(const SvgfParams& p, int w, int h, const TemporalGradient* gradient)
     : params_(p),
       accumulation_{.alpha = p.alpha,
                     .moments_alpha = p.moments_alpha,
                     .max_history = static_cast<float>(p.max_history),
-                    .surface_test = variantOf(p).surface_test},
+                    .surface_test = variantOf(p).surface_test,
+                    .gradient = gradient},
       variance_{.sigma_l = p.sigma_l,
                 .sigma_n = p.sigma_n,
                 .difference = false,

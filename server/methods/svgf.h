@@ -16,7 +16,8 @@ struct SvgfParams : SvgfCommonParams {
 
 class Svgf final : public Method {
  public:
-  Svgf(const SvgfParams& params, int width, int height);
+  // `gradient`: raises the weights of new samples where it tells of a change; nullptr: nothing does.
+  Svgf(const SvgfParams& params, int width, int height, const TemporalGradient* gradient = nullptr);
   static MethodInfo info();
 
   void start(const Frame& first, const PoolHandle& pool) override;

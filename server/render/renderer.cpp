@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/tile_renderer.h"
 #include "render/tiles/pairs.h"
 #include "render/tiles/replays.h"
 #include "render/tiles/surface_pixel.h"
@@ -47,23 +48,14 @@ int tileEdge(int spp, int bounces) {
   return std::clamp(static_cast<int>(std::sqrt(kPieceRays / pixel_rays)), 1, kMaxTileEdge);
 }
 
-// Gives features their plane of bodies.
-void showBodies(GBuffer& g) {
-  if (!g.hasBodies()) g.body = Image<std::uint32_t>(g.z.width(), g.z.height());
-}
-
 }  // namespace
 
 std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPlan& seeds,
                                           const PoolHandle& pool, Frame& out) {
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
-  if (view.now.scene.bodies()) showBodies(out.g);
-  const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
-    if (settings_.jitter)
-      return settings_.channels == 1 ? renderJitteredTile<S, 1> : renderJitteredTile<S, 3>;
-    return settings_.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>;
-  });
+  showBodies(view, out.g);
+  const TileRenderer tile = tileRenderer(view.now.scene.still(), settings_);
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
                           [&](Tile t) { tile(view, seeds, settings_.bounces, t, out); });
 }
@@ -71,7 +63,7 @@ std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPl
 SurfaceFrame Renderer::renderSurfaces(const PixelContext& view, const PoolHandle& pool, Frame& out,
                                       const OnTile& on_tile) {
   const RenderScene& scene = view.now.scene.still();
-  if (view.now.scene.bodies()) showBodies(out.g);
+  showBodies(view, out.g);
   out.light = view.now.scene.strengths().state();
   const Shading has = scene.shading();
   const bool plain_only =

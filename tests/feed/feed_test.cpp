@@ -50,8 +50,9 @@ double largestChange(const IntensityChange& change) {
 // first frame on.
 TEST(Feed, AStandingSceneChangesByExactlyNothingAndFiresNoEvent) {
   TilePool pool(2);
-  for (const FeedConfig& c : {config("event_svgf"), config("irradiance_cache"),
-                              config("irradiance_cache", true), config("pt-correlated")}) {
+  for (const FeedConfig& c :
+       {config("event_svgf"), config("irradiance_cache"), config("irradiance_cache", true), config("relax"),
+        config("adaptive_denoising"), config("pt-correlated")}) {
     Feed feed(room(), path(false), c, pool);
     Sensor sensor({.threshold = 0.01, .threshold_off = 0.01, .bias = 1e-8}, kW, kH);
     SensorOutput out;
@@ -138,7 +139,9 @@ TEST(Feed, ASurfaceThatAppearsIsFiltered) {
 class FeedOf : public testing::TestWithParam<FeedConfig> {};
 INSTANTIATE_TEST_SUITE_P(, FeedOf,
                          testing::Values(config("event_svgf"), config("irradiance_cache"),
-                                         config("irradiance_cache", true)),
+                                         config("irradiance_cache", true), config("a_svgf"), config("relax"),
+                                         config("adaptive_denoising"), config("adaptive_sampling"),
+                                         config("adaptive_sampling", true)),
                          [](const auto& info) {
                            return info.param.method + (info.param.jitter ? "_jittered" : "");
                          });
@@ -185,6 +188,17 @@ TEST(Feed, AllocatesNothingAfterTwoFrames) {
   const int before = test::allocations();
   for (int t = 3; t <= 8; ++t) sensor.generate(feed.step(pool), out);
   EXPECT_EQ(test::allocations(), before);
+}
+
+TEST(Feed, NorDoesAnyOtherMethodOfPictures) {
+  TilePool pool(1);
+  for (const char* method : {"svgf", "a_svgf", "relax", "adaptive_denoising", "adaptive_sampling"}) {
+    Feed feed(room(Strength({{0ms, 1}})), path(true), config(method), pool);
+    for (int t = 1; t <= 2; ++t) feed.step(pool);
+    const int before = test::allocations();
+    for (int t = 3; t <= 8; ++t) feed.step(pool);
+    EXPECT_EQ(test::allocations(), before) << method;
+  }
 }
 
 TEST(Feed, TellsTheLuminanceOfItsFirstFrame) {

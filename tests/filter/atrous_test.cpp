@@ -168,5 +168,26 @@ TEST_F(Fixture, IsTheSameWithAnyLanes) {
         ASSERT_EQ((out.*plane).at(x, y), (narrow.*plane).at(x, y)) << x << ", " << y;
 }
 
+// RELAX's Gaussian, whose weights add up to 1 over 3x3 pixels.
+TEST(SmallKernel, SpreadsAPixelOverItsNeighbours) {
+  TilePool pool{1};
+  Frame wall(kW, kH);
+  test::makeWall(wall);
+  FilterPlanes in(kW, kH), out(kW, kH);
+  fillInside(in.var_i, 1);
+  in.i.at(18, 14) = 1;
+  const AtrousParams params{.sigma_l = 1000, .difference = false, .kernel = AtrousKernel::k3x3};
+  constexpr int kStep = 2;
+  constexpr float kWeights[] = {0.44198f, 0.27901f, 0};
+  atrousIteration({wall, wall}, params, kStep, in, pool, out);
+  for (int dy = 0; dy <= 2; ++dy) {
+    for (int dx = 0; dx <= 2; ++dx) {
+      const float expected = kWeights[dx] * kWeights[dy];
+      EXPECT_NEAR(out.i.at(18 - kStep * dx, 14 + kStep * dy), expected, 0.01f * expected) << dx << "," << dy;
+    }
+  }
+  EXPECT_EQ(out.i.at(17, 14), 0);
+}
+
 }  // namespace
 }  // namespace saccade

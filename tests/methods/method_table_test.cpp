@@ -45,6 +45,12 @@ TEST(MethodTable, TellsTheMemoryThatAGridMayTake) {
   EXPECT_EQ(findMethod("event_svgf")->memory({}, {1e5, false, true}), 0);
 }
 
+// The four planes of RELAX's second history, with their borders of 32 pixels.
+TEST(MethodTable, TellsTheMemoryOfASecondHistory) {
+  for (const auto& [w, h] : {std::pair{640., 480.}, {32., 24.}, {1600., 100.}})
+    EXPECT_GE(findMethod("relax")->memory({}, {w * h, false, false}), 4 * 4 * (w + 64) * (h + 64)) << w;
+}
+
 TEST(MethodTable, AFormerNameOfAParameterIsRefusedWithTheNewOne) {
   ParamValues resolved;
   std::string bad_name;
@@ -77,7 +83,11 @@ TEST(MethodTable, SaysWhichPassesAMethodNeeds) {
   EXPECT_EQ(seedsOf("pt-correlated", {}), &SeedPlan::correlated);
   EXPECT_EQ(seedsOf("event_svgf", {}), &SeedPlan::correlated);
   EXPECT_EQ(seedsOf("event_svgf", {{"correlated", 0}}), &SeedPlan::independentPairs);
-  for (const char* name : {"pt-correlated", "svgf", "event_svgf"}) {
+  EXPECT_EQ(seedsOf("event_svgf", {{"motion_aligned", 1}}), &SeedPlan::correlatedAlongMotion);
+  EXPECT_EQ(seedsOf("a_svgf", {}), &SeedPlan::correlatedAlongMotion);
+  EXPECT_EQ(seedsOf("relax", {}), &SeedPlan::correlated);
+  EXPECT_EQ(seedsOf("adaptive_sampling", {}), &SeedPlan::independent);
+  for (const char* name : {"pt-correlated", "svgf", "a_svgf", "event_svgf", "relax", "adaptive_sampling"}) {
     EXPECT_EQ(seedsOf(name, {{"independent_numbers", 1}})(7, 3, 2).numbers, NumberKind::kIndependent) << name;
     EXPECT_EQ(seedsOf(name, {})(7, 3, 2).numbers, NumberKind::kEven) << name;
   }

@@ -11,8 +11,8 @@
 namespace saccade::test {
 
 // All but those that draw new numbers for every frame, by their nature.
-inline const std::vector<std::string> kMethodsWithoutGhosts{"irradiance_cache", "event_svgf",
-                                                            "pt-correlated"};
+inline const std::vector<std::string> kMethodsWithoutGhosts{"irradiance_cache", "event_svgf", "relax",
+                                                            "adaptive_denoising", "pt-correlated"};
 
 // A scene with an object of each material that the reader of scenes knows.
 struct MaterialScene {

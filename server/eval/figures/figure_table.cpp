@@ -3,8 +3,9 @@
 namespace saccade::eval {
 namespace {
 
-const std::vector<std::string> kMethods{"pt",         "pt-correlated",   "svgf", "svgf:as_falcor=1",
-                                        "event_svgf", "irradiance_cache"};
+const std::vector<std::string> kMethods{
+    "pt",     "pt-correlated", "adaptive_sampling", "adaptive_denoising", "svgf", "svgf:as_falcor=1",
+    "a_svgf", "relax",         "event_svgf",        "irradiance_cache"};
 
 BenchOptions frames(const char* range, int repeats) {
   BenchOptions o;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/hash_rng.h"
+#include "frame/pixel_before.h"
 #include "render/paths/path_run.h"
 #include "render/primary/sub_pixels_shown.h"
 #include "render/sampling/pixel_sequence.h"
@@ -68,6 +69,11 @@ void forEachSample(const SeedPlan& seeds, int pass, const auto& f) {
   for (int i = 0; i < spp; ++i) f(numbers, static_cast<std::uint32_t>(seeds.before + i));
 }
 
+// The pixel whose numbers the paths of (x, y) take.
+inline PixelPlace numbersOf(const SeedPlan& seeds, int pass, const GBuffer& g, int x, int y) {
+  return pass == 0 && seeds.along_motion ? pixelBefore(g, x, y) : PixelPlace{x, y};
+}
+
 // All paths start at the centre of the pixel.
 template <Shading S, int C>
 void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
@@ -80,7 +86,10 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Ti
   const auto forEachPath = [&](const auto& f) {
     for (const int pass : {0, 1})
       forEachSample(seeds, pass, [&](const PixelSequence& numbers, std::uint32_t i) {
-        f([&](int x, int y) { return NewPath{numbers.of(x, y, i), sums.owner(x, y, pass)}; });
+        f([&](int x, int y) {
+          const PixelPlace of = numbersOf(seeds, pass, out.g, x, y);
+          return NewPath{numbers.of(of.x, of.y, i), sums.owner(x, y, pass)};
+        });
       });
   };
   addPaths<S>(view, tile, out.g, run, forEachPath, [](int, int, Rgb) {});
@@ -124,7 +133,8 @@ void renderJitteredTile(const PixelContext& view, const SeedPlan& seeds, int bou
       const std::uint32_t owner = sums.owner(x, y, pass);
       scale[owner] = A / luminance(hit->guide.albedo);
       forEachSample(seeds, pass, [&](const PixelSequence& numbers, std::uint32_t sample) {
-        run.add(hit->start, {numbers.of(x, y, sample), owner});
+        const PixelPlace of = numbersOf(seeds, pass, out.g, x, y);
+        run.add(hit->start, {numbers.of(of.x, of.y, sample), owner});
       });
     };
     addPaths(0, seeds.frame1);
