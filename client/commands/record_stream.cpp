@@ -66,7 +66,7 @@ void writeCalibration(const std::string& output, const v1::OpenStream& resolved)
 
 void printStagesOf(std::FILE* out, StreamHandle& stream) {
   try {
-    if (const auto info = stream.info()) printStages(out, *info);
+    if (const auto info = stream.info()) printStages(out, *info, stream.opened().resolved().timing());
   } catch (const NoAnswer&) {
     // The recording is complete, though the server has gone.
   }

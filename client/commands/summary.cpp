@@ -15,11 +15,37 @@ using Count = unsigned long long;  // as printf names it
 
 constexpr double kAdvisedPixels = 0.5, kMaxRateHz = 1e5;
 
-// The rate that keeps the picture to half a pixel per frame, rounded up to two digits.
-double advisedRate(double rate_hz, double px_per_frame) {
-  const double rate = rate_hz * px_per_frame / kAdvisedPixels;
+// To two digits.
+double roundedUp(double rate) {
   const double step = std::pow(10, std::floor(std::log10(rate)) - 1);
   return std::ceil(rate / step) * step;
+}
+
+// The rate that keeps the picture to half a pixel per frame.
+double advisedRate(double rate_hz, double px_per_frame) {
+  return roundedUp(rate_hz * px_per_frame / kAdvisedPixels);
+}
+
+void printIntervals(std::FILE* out, const v1::Timing& timing) {
+  print(out, "it is rendered every %g px of motion, %g to %g times per second", timing.interval_px(),
+        timing.frame_rate_hz(), timing.max_rate_hz());
+  if (const double finest = timing.refinement().finest_px(); finest < timing.interval_px())
+    print(out, ", and pixels that change in between every %g px", finest);
+  print(out, "\n");
+}
+
+// Longer intervals than were asked for are less accurate, but four times as long ones hardly if they are
+// refined.
+void warnOfFastIntervals(const v1::StreamOpened& opened) {
+  const v1::Timing& timing = opened.resolved().timing();
+  const double px_per_s = opened.px_per_frame_p99() * timing.frame_rate_hz();
+  const double px = px_per_s / timing.max_rate_hz();
+  const bool refined = timing.refinement().finest_px() < timing.interval_px();
+  if (px <= (refined ? 4 : 1) * timing.interval_px()) return;
+  print(stderr, "saccade: warning: the picture moves by up to %.2g pixels in an interval", px);
+  if (const double rate = roundedUp(px_per_s / timing.interval_px()); rate <= kMaxRateHz)
+    print(stderr, "; --max-rate %lld would be enough for %g", std::llround(rate), timing.interval_px());
+  print(stderr, "\n");
 }
 
 // "spin:90", or in words.
@@ -61,14 +87,18 @@ void printChoice(std::FILE* out, const v1::StreamOpened& opened) {
 }
 
 void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened) {
-  print(out, "the picture moves by %.3g pixels per frame (median; 99th percentile %.3g)\n",
-        opened.px_per_frame_p50(), opened.px_per_frame_p99());
+  const v1::Timing& timing = opened.resolved().timing();
+  const bool follows = timing.interval_px() > 0;
+  const double unit = follows ? timing.frame_rate_hz() : 1;
+  print(out, "the picture moves by %.3g pixels per %s (median; 99th percentile %.3g)\n",
+        unit * opened.px_per_frame_p50(), follows ? "second" : "frame", unit * opened.px_per_frame_p99());
+  if (follows) printIntervals(out, timing);
   std::fflush(out);  // a warning on stderr may follow
 }
 
 void warnOfFastPicture(const v1::StreamOpened& opened) {
   const v1::OpenStream& request = opened.resolved();
-  if (request.timing().interval_px() > 0) return;
+  if (request.timing().interval_px() > 0) return warnOfFastIntervals(opened);
   const v1::Motion& motion = request.trajectory().motion();
   const double px = motion.has_px_per_frame() ? std::abs(motion.px_per_frame()) : opened.px_per_frame_p50();
   if (px <= kAdvisedPixels) return;
@@ -133,13 +163,16 @@ void printLosses(std::FILE* out, const Losses& losses) {
   print(out, ", in %llu gaps\n", Count{losses.gaps});
 }
 
-void printStages(std::FILE* out, const v1::StreamInfo& info) {
-  print(out, "CPU ms per frame: %.3g", info.frame_cpu_ms());
+void printStages(std::FILE* out, const v1::StreamInfo& info, const v1::Timing& timing) {
+  const bool follows = timing.interval_px() > 0;
+  const double unit = follows ? timing.frame_rate_hz() / 1000 : 1;
+  print(out, "CPU %s: %.3g", follows ? "s per second of the stream" : "ms per frame",
+        unit * info.frame_cpu_ms());
   const char* separator = " (";
   // Sorted by name; the map of protobuf has no order.
   for (const auto& [stage, ms] :
        std::map<std::string, double>(info.stage_cpu_ms().begin(), info.stage_cpu_ms().end())) {
-    print(out, "%s%s %.3g", separator, stage.c_str(), ms);
+    print(out, "%s%s %.3g", separator, stage.c_str(), unit * ms);
     separator = ", ";
   }
   print(out, info.stage_cpu_ms().empty() ? "\n" : ")\n");

@@ -40,12 +40,20 @@ v1::Quality makeQuality(const RequestOptions& options) {
   return quality;
 }
 
-v1::Timing makeTiming(const RequestOptions& options) {
-  v1::Timing timing;
-  timing.set_frame_rate_hz(options.interval_px ? options.min_rate_hz : options.rate_hz);
-  if (options.interval_px) timing.set_interval_px(*options.interval_px);
+// Without --rate, what is not given of the intervals is left to the server.
+void setRates(const RequestOptions& options, v1::Timing& timing) {
+  constexpr double kIntervalPx = 1;  // beside --min-rate: a rate alone would be that of whole frames
+  if (const auto rate = options.rate_hz ? options.rate_hz : options.min_rate_hz)
+    timing.set_frame_rate_hz(*rate);
+  if (options.interval_px || options.min_rate_hz)
+    timing.set_interval_px(options.interval_px.value_or(kIntervalPx));
   if (options.finest_px) timing.mutable_refinement()->set_finest_px(*options.finest_px);
   if (options.max_rate_hz) timing.set_max_rate_hz(*options.max_rate_hz);
+}
+
+v1::Timing makeTiming(const RequestOptions& options) {
+  v1::Timing timing;
+  setRates(options, timing);
   const bool until_path_ends = !options.duration_s && namesPoses(options);
   timing.set_until_path_ends(until_path_ends);
   if (!until_path_ends) timing.set_duration_s(options.duration_s.value_or(kDuration));

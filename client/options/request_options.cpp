@@ -62,27 +62,22 @@ std::string durationDefault(const RequestOptions& o) {
 
 void addStreamOptions(CLI::App& command, RequestOptions& o) {
   command.option_defaults()->group("Stream");
-  CLI::Option* rate =
-      command.add_option("--rate", o.rate_hz, "frames per second of the stream")->capture_default_str();
-  CLI::Option* interval =
-      command
-          .add_option("--interval-px", o.interval_px,
-                      "instead of --rate: render when the picture has moved by so many pixels, such as 1")
-          ->excludes(rate);
+  CLI::Option* rate = command.add_option(
+      "--rate", o.rate_hz, "whole frames, so many per second; by default intervals follow the motion");
+  command
+      .add_option("--interval-px", o.interval_px,
+                  "the picture is rendered when it has moved by about so many pixels; default 1")
+      ->excludes(rate);
   command
       .add_option("--min-rate", o.min_rate_hz,
-                  "with --interval-px: least frames per second; truth and poses come at this rate")
-      ->needs(interval)
-      ->capture_default_str();
+                  "least intervals per second; truth and poses come at this rate; default 100")
+      ->excludes(rate);
+  command.add_option("--max-rate", o.max_rate_hz, "most intervals per second; default 1000")->excludes(rate);
   command
-      .add_option("--max-rate", o.max_rate_hz, "with --interval-px: most frames per second; default 10000")
-      ->needs(interval);
-  command
-      .add_option(
-          "--finest-px", o.finest_px,
-          "with --interval-px: render pixels that change in between, down to so many pixels of motion; "
-          "default a sixteenth, if the method can; as --interval-px: whole frames alone")
-      ->needs(interval);
+      .add_option("--finest-px", o.finest_px,
+                  "pixels that change in between are rendered down to so many pixels of motion; default a "
+                  "sixteenth of --interval-px, if the method can; as --interval-px: whole frames alone")
+      ->excludes(rate);
   command.add_option("--duration", o.duration_s,
                      "seconds of the stream; 0: until Ctrl-C; by default" + durationDefault(o));
   command

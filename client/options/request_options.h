@@ -32,11 +32,8 @@ struct RequestOptions {
   std::optional<std::string> start;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_world_camera
   SensorOptions sensors;
   CameraOptions camera;
-  double rate_hz = 1000;
-  std::optional<double> interval_px;  // intervals that follow motion, in frames of min_rate_hz
-  std::optional<double> finest_px;    // Refinement.finest_px
-  double min_rate_hz = 20;
-  std::optional<double> max_rate_hz;
+  std::optional<double> rate_hz;                                           // unset: intervals follow motion
+  std::optional<double> interval_px, finest_px, min_rate_hz, max_rate_hz;  // of these intervals
   std::optional<double> duration_s;  // unset: to the end of a file of poses, or kDuration
   std::string delivery = "lossless", clock = "fast";
   std::string codec;

@@ -164,11 +164,20 @@ void Feed::refine(const PoolHandle& pool, IntensityChange& change) {
   const Refinement::Interval interval{frames,
                                       posed_[frames.cur.index % 2],
                                       renderer_.motion(),
+                                      bodiesReach(frames),
                                       *method_->onSurfaces(),
                                       renderer_.shadowRays(),
                                       [this](TimeNs t) { return cameraAt(t); }};
   times_[Stage::kRefine] += refinement_->refine(interval, pool, change);
   refined_ = refinement_->lastCounts();
+}
+
+// In a scene without bodies the motion vectors tell all.
+float Feed::bodiesReach(const FramePair& frames) {
+  const PosedScene& before = posed_[frames.prev.index % 2];
+  if (!before.bodies()) return 0;
+  motion_.look(frames.prev, cameraAt(frames.prev.time), before);
+  return static_cast<float>(motion_.moveTo(frames.cur.time, cameraAt(frames.cur.time), before));
 }
 
 Camera Feed::cameraAt(TimeNs t) const {

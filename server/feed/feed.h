@@ -73,6 +73,7 @@ class Feed {
  private:
   void render(TimeNs t, const PoolHandle& pool);
   void refine(const PoolHandle& pool, IntensityChange& change);
+  float bodiesReach(const FramePair& frames);
   IntensityChange& nextChange(TimeNs t0, TimeNs t1);
   Camera cameraAt(TimeNs t) const;
   const RenderScene& scene() const { return posed_[0].still(); }

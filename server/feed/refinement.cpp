@@ -48,7 +48,7 @@ void Refinement::steer(const FeedKeys& keys) {
 std::chrono::nanoseconds Refinement::refine(const Interval& interval, const PoolHandle& pool,
                                             IntensityChange& change) {
   auto time = measureMotion(interval.frames, pool);
-  const float fastest = *std::ranges::max_element(motion_px_);
+  const float fastest = std::max(*std::ranges::max_element(motion_px_), interval.reach_px);
   // Shadows of bodies move over surfaces that stand.
   if (interval.motion.moved.any()) std::ranges::fill(motion_px_, fastest);
   const int levels = levelsFor(fastest);

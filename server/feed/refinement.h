@@ -29,6 +29,7 @@ class Refinement {
     FramePair frames;  // with motion vectors, and equal strengths of lamps
     const PosedScene& scene;
     const FrameMotion motion;  // of the interval
+    const float reach_px;      // how far surfaces and shadows move at least, see ViewMotion
     const SurfaceMethod& light;
     const FrameRays& rays;  // of the frame at its end
     const std::function<Camera(TimeNs)> cameraAt;

@@ -20,8 +20,7 @@ TEST_F(CommandAndServer, RecordsASensorPerThreshold) {
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(holds(result, "wrote " + folder_.at("a-0.csv"))) << result.output;
   EXPECT_TRUE(holds(result, "trace ")) << result.output;
-  EXPECT_TRUE(holds(result, "the picture moves by 0.0") && holds(result, "pixels per frame"))
-      << result.output;
+  EXPECT_TRUE(holds(result, "the picture moves by 4") && holds(result, "pixels per second")) << result.output;
   EXPECT_GT(fs::file_size(folder_.at("a-0.csv")), fs::file_size(folder_.at("a-1.csv")));
   EXPECT_GT(fs::file_size(picture), 100u);
 }
@@ -54,7 +53,7 @@ TEST(CommandAndBudget, TellsTheChoiceAndTheExpectedQuality) {
   EXPECT_TRUE(holds(info, "--budget-ms, --max-false-rate) for: cornell-box\n")) << info.output;
   EXPECT_TRUE(holds(info, table.settings())) << info.output;
   const std::string record =
-      "record cornell-box --trajectory right --size 32x24 --duration 0.01 --threshold 0.1 -o " +
+      "record cornell-box --trajectory right --size 32x24 --rate 1000 --duration 0.01 --threshold 0.1 -o " +
       folder.at("a.csv") + server.option();
   const Result chosen = run(record + "--budget-ms 4 --method svgf");
   EXPECT_EQ(chosen.code, 0);
@@ -101,6 +100,28 @@ TEST_F(CommandAndServer, StandardOutputHoldsTheEventsAlone) {
   EXPECT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(holds(result, "wrote to standard output")) << result.output;
   EXPECT_EQ(textOf(piped), textOf(file));
+}
+TEST_F(CommandAndServer, TellsHowIntervalsFollowTheMotion) {
+  const std::string record = "record cornell-box --motion truck:20 --size 32x24 --duration 0.2 --force -o " +
+                             folder_.at("a.csv") + server_.option();
+  const Result result = run(record);
+  ASSERT_EQ(result.code, 0) << result.output;
+  for (const char* told : {" pixels per second (median; ",
+                           "rendered every 1 px of motion, 100 to 1000 times per second, and pixels that "
+                           "change in between every 0.0625 px\n",
+                           "CPU s per second of the stream: "})
+    EXPECT_TRUE(holds(result, told)) << result.output;
+  EXPECT_FALSE(holds(result, "warning")) << result.output;
+  const Result slow = run(record + " --min-rate 5 --max-rate 5");
+  EXPECT_TRUE(holds(slow, "pixels in an interval; --max-rate ")) << slow.output;
+  const Result whole = run(record + " --method event_svgf");
+  EXPECT_TRUE(holds(whole, "1000 times per second\n")) << whole.output;
+}
+TEST_F(CommandAndServer, AsksForARateWhereItIsNeeded) {
+  const Result result = run("record cornell-box --motion truck:0.5px --size 32x24 --duration 0.02 -o " +
+                            folder_.at("a.csv") + server_.option());
+  EXPECT_NE(result.code, 0);
+  EXPECT_TRUE(holds(result, "--rate")) << result.output;
 }
 TEST_F(CommandAndServer, AFastPictureGetsTheRateThatWouldDo) {
   const Result fast = run("record cornell-box --trajectory right --size 64x48 --rate 50 --duration 0.04 -o " +

@@ -146,10 +146,17 @@ TEST(RequestOptions, AValueDoesNotSwallowTheScene) {
 }
 
 TEST(RequestOptions, IntervalsFollowMotionInsteadOfARate) {
+  const v1::Timing open = openStream("").timing();
+  EXPECT_FALSE(open.has_refinement());
+  EXPECT_EQ(open.frame_rate_hz() + open.interval_px() + open.max_rate_hz(), 0);
   const v1::Timing timing = openStream("--interval-px 0.5").timing();
   EXPECT_EQ(timing.interval_px(), 0.5);
-  EXPECT_EQ(timing.frame_rate_hz(), 20);
+  EXPECT_EQ(timing.frame_rate_hz(), 0);
   EXPECT_EQ(timing.max_rate_hz(), 0);
+  const v1::Timing least = openStream("--min-rate 20").timing();
+  EXPECT_EQ(least.frame_rate_hz(), 20);
+  EXPECT_EQ(least.interval_px(), 1);
+  EXPECT_EQ(openStream("--max-rate 50").timing().max_rate_hz(), 50);
   const v1::Timing bounded = openStream("--interval-px 1 --min-rate 50 --max-rate 2000").timing();
   EXPECT_EQ(bounded.frame_rate_hz(), 50);
   EXPECT_EQ(bounded.max_rate_hz(), 2000);
@@ -158,8 +165,8 @@ TEST(RequestOptions, IntervalsFollowMotionInsteadOfARate) {
   EXPECT_EQ(openStream("--rate 50").timing().interval_px(), 0);
   EXPECT_NE(faultOf("--interval-px 1 --rate 50"), "");
   EXPECT_NE(faultOf("--rate 50 --finest-px 0.1"), "");
-  EXPECT_NE(faultOf("--min-rate 50"), "");
-  EXPECT_NE(faultOf("--max-rate 50"), "");
+  EXPECT_NE(faultOf("--rate 50 --min-rate 50"), "");
+  EXPECT_NE(faultOf("--rate 50 --max-rate 50"), "");
 }
 
 TEST(RequestOptions, RequestHoldsWhatWasGiven) {

@@ -11,7 +11,7 @@ using namespace test;
 class TruthCommand : public CommandAndServer {
  protected:
   Result record(const std::string& options) const {
-    return run("record cornell-box --trajectory right --size 32x24 --duration 0.02 " + options +
+    return run("record cornell-box --trajectory right --size 32x24 --rate 1000 --duration 0.02 " + options +
                server_.option());
   }
   const std::string csv_ = folder_.at("a.csv");

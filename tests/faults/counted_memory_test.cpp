@@ -83,6 +83,37 @@ TEST_F(CountedMemory, ObjectsThatMove) {
   EXPECT_LT(grownMiB(), kMemoryMiB + kOtherMiB);
 }
 
+// Updates of nearly all pixels, in intervals of a pixel and more; the sensor has no event to send.
+v1::OpenStream refined(const std::string& scene) {
+  v1::OpenStream request = tinyRequest();
+  request.set_scene(scene);
+  request.mutable_view()->set_width(48);
+  request.mutable_view()->set_height(36);
+  v1::Motion& motion = *request.mutable_trajectory()->mutable_motion();
+  motion.set_kind(v1::MOTION_KIND_PAN);
+  motion.set_speed(90);
+  v1::Timing& timing = *request.mutable_timing();
+  timing.clear_frame_rate_hz();
+  timing.set_duration_s(0);
+  timing.mutable_refinement()->set_threshold(1e-3);
+  request.mutable_sensors(0)->set_threshold(5);
+  return request;
+}
+
+TEST_F(CountedMemory, RefinedStreams) {
+  EXPECT_EQ(fill(refined("textured-cornell-box")), "memory");
+  EXPECT_GE(streams_.size(), 2u);
+  awaitFrames(10);
+  EXPECT_LT(grownMiB(), kMemoryMiB + kOtherMiB);
+}
+
+TEST_F(CountedMemory, RefinedStreamsWithObjectsThatMove) {
+  EXPECT_EQ(fill(refined("cornell-turntable")), "memory");
+  EXPECT_GE(streams_.size(), 2u);
+  awaitFrames(10);
+  EXPECT_LT(grownMiB(), kMemoryMiB + kOtherMiB);
+}
+
 // 64000 changes, each with all of its noise: 15 bytes of a change become 500.
 v1::OpenStream manyChanges() {
   v1::OpenStream request;

@@ -191,6 +191,37 @@ TEST(RigIntervals, FollowBodies) {
   EXPECT_EQ(rig.lastTimes().total().count(), 0) << "the third frame rests";
 }
 
+// A wall at depth 4, in the light of a lamp at -8, with a card between them behind the camera.
+Scene shadowOfACard(const std::string& body) {
+  Scene s;
+  s.materials = {test::grey(0.5f)};
+  s.meshes = {test::quad({-90, -90, 4}, {0, 180, 0}, {180, 0, 0}, 0),
+              test::quad({-1, -1, -2}, {2, 0, 0}, {0, 2, 0}, 0)};
+  s.meshes[1].name = "card";
+  s.spheres = {{.name = "lamp", .center = {0, 0, -8}, .radius = 0.01f, .radiance = {9, 9, 9}}};
+  const std::string names[]{body};
+  setBodies(s, names);
+  return s;
+}
+
+// The shadow of the card moves twice as fast as the card, and as fast as the lamp, by 62 px per second.
+TEST(RigIntervals, FollowShadows) {
+  for (const auto& [body, factor] : {std::pair{"card", 2.0}, std::pair{"lamp", 1.0}}) {
+    Scene s = shadowOfACard(body);
+    const Vec3d start = toDouble(s.bodies[0].centre());
+    const double to = 62 * 0.05 / (kSize / 2.0) * 4 / factor;
+    FeedConfig moving = config(1);
+    moving.body_paths = {
+        Trajectory({{TimeNs{0}, {start, {}}}, {TimeNs{50ms}, {start + Vec3d{to, 0, 0}, {}}}})};
+    TilePool pool(1);
+    Rig rig(std::make_unique<Feed>(std::make_shared<RenderScene>(std::move(s)), truck(0), moving, pool));
+    const std::vector<TimeNs> ends = endsOf(rig, pool, 100ms);
+    ASSERT_EQ(ends.size(), 5u) << body;  // 3.1 px in the first frame; then all rests
+    EXPECT_NEAR(seconds(ends[0]), 0.0125, 1e-3) << body;
+    EXPECT_EQ(rig.lastTimes().total().count(), 0) << body;
+  }
+}
+
 TEST(RigIntervals, AllocateNothingAfterTheFirstOnes) {
   TilePool pool(1);
   Rig rig(std::make_unique<Feed>(test::room(), truck(0.4, 200ms), config(0.5), pool));

@@ -82,7 +82,7 @@ TEST(Intervals, LeaveFramesAndPacketsAsTheyAre) {
   TestServer server(2);
   const v1::StreamOpened stream = server.client().open(following());
   EXPECT_EQ(stream.frames(), static_cast<std::uint64_t>(kFrames));
-  EXPECT_EQ(stream.resolved().timing().max_rate_hz(), 1e4);
+  EXPECT_EQ(stream.resolved().timing().max_rate_hz(), 1000);
   auto packets = server.run(following());
   checkPackets(packets[0]);
   EXPECT_EQ(packets[0].back().header.t1_ns(), 100'000'000);

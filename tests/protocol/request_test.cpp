@@ -134,7 +134,6 @@ const std::vector<SpoiltRequest> kSpoiltRequests{
     {"trajectory.keyframes.keys[1].rotation", [](auto& r) { secondKey(r).clear_rotation(); }},
     {"trajectory.keyframes.keys[1].rotation", [](auto& r) { secondKey(r).mutable_rotation()->set_y(kNan); }},
     {"trajectory.keyframes.keys[1].rotation", [](auto& r) { secondKey(r).mutable_rotation()->set_w(kInf); }},
-    {"timing.frame_rate_hz", [](auto& r) { r.clear_timing(); }},
     {"timing.frame_rate_hz", [](auto& r) { r.mutable_timing()->set_frame_rate_hz(kNan); }},
     {"timing.frame_rate_hz", [](auto& r) { r.mutable_timing()->set_frame_rate_hz(1e9); }},
     {"timing.duration_s", [](auto& r) { r.mutable_timing()->set_duration_s(-1); }},

@@ -23,6 +23,12 @@ class Request(unittest.TestCase):
         self.assertEqual(made, c.OpenStream(scene="room", view=view, timing=timing, trajectory=path, method=c.Method(),
                                             quality=c.Quality(), sensors=[c.Sensor()]))
 
+    def test_without_a_rate_the_server_chooses_it(self):
+        made = make_request({"scene": "room", "size": (6, 4), "motion": "right", "max_rate_hz": 2000}).timing
+        self.assertEqual(made, c.Timing(max_rate_hz=2000))
+        with self.assertRaisesRegex(TypeError, "'rate_hz' is missing"):
+            make_request({"pushed": True, "size": (6, 4)})
+
     def test_every_setting_has_its_field(self):
         made = make_request({**NEEDED, "motion": "shake:-3px", "turn_s": 0, "motion_seed": 9,
                              "start": (1, 2, 3, 0, 0.5, 0, 1), "duration_s": 2,

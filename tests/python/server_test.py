@@ -81,6 +81,16 @@ class OneServer(unittest.TestCase):
             with self.assertRaisesRegex(saccade.StreamFault, "has ended"):
                 list(stream.samples())
 
+    def test_without_a_rate_intervals_follow_the_motion(self):
+        settings = {name: value for name, value in SETTINGS.items() if name != "rate_hz"}
+        with self.client.open(**settings) as stream:
+            timing = stream.resolved.timing
+            self.assertEqual((timing.frame_rate_hz, timing.interval_px, timing.max_rate_hz), (100, 1, 1000))
+            self.assertGreater(len(saccade.concatenate(list(stream))), 0)
+        for counts in ({"clock": "lockstep"}, {"motion": "pan:0.5px"}, {"truth": "flow_forward"}):
+            with self.subTest(counts), self.assertRaisesRegex(saccade.InvalidArgument, "give the frames per second"):
+                self.client.open(**{**settings, **counts})
+
     def test_a_closed_stream_says_so(self):
         with self.client.open(**SETTINGS) as stream:
             pass

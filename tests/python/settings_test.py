@@ -19,9 +19,9 @@ NO_PLACE = [None, 5, "1 2 3", (1, 2), (1, 2, math.nan), np.zeros((4, 4)), -np.ey
 NO_AMOUNTS = [*NO_NAMES, {"leak": 1}]
 
 WRONG = {
-    **dict.fromkeys(("rate_hz", "interval_px", "max_rate_hz", "finest_px", "turn_s", "clearance", "duration_s", "fov_x_deg",
+    **dict.fromkeys(("interval_px", "max_rate_hz", "finest_px", "turn_s", "clearance", "duration_s", "fov_x_deg",
                      "max_artefact_odds", "bake_error", "budget_ms", "max_false_rate", "max_event_change", "metres_per_unit"), [*NO_NUMBER, [], [1.0]]),
-    **dict.fromkeys(("speed", "imu_rate_hz"), [*NO_NUMBER, 0, -1]),
+    **dict.fromkeys(("rate_hz", "speed", "imu_rate_hz"), [*NO_NUMBER, 0, -1]),
     **dict.fromkeys(("threshold", "threshold_off", "bias", "refractory_s", "cutoff_hz"),
                     [*NO_NUMBER, [], [0.1, "0.2"], [0.1, None], (math.nan,), [[0.1]]]),
     **dict.fromkeys(("seed", "motion_seed", "bounces"), NO_WHOLE),

@@ -60,6 +60,27 @@ TEST(ExposedFrame, IsTheMeanOfTheFramesInItsExposure) {
   EXPECT_EQ(frames[1].exposure_end_ns, 8 * kPacketTimeNs);
 }
 
+// A frame of two intervals, of a quarter and of three.
+TEST(ExposedFrame, WeighsIntervalsByTheirLengths) {
+  TruthConfig c = config(1, 1);
+  c.frame_rate_hz /= 4;
+  const auto source = findTruth("frame")->make(c);
+  const auto sampleOf = [&](std::int64_t t0, std::int64_t t1, float intensity) {
+    auto change = intervalOf(1, intensity, 0);
+    change->t0 = TimeNs(t0 * kPacketTimeNs), change->t1 = TimeNs(t1 * kPacketTimeNs);
+    const StillView view(std::move(change));
+    FeedInterval interval = view.interval();
+    interval.frame = 1, interval.ends_frame = t1 == 4;
+    return source->sample(interval);
+  };
+  EXPECT_TRUE(sampleOf(0, 1, 0.4f).empty());
+  const TruthSamples frames = sampleOf(1, 4, 0.8f);
+  ASSERT_EQ(frames.size(), 1u);
+  EXPECT_EQ(pixelOf<std::uint8_t>(frames[0]), std::lround(255 * 0.7));
+  EXPECT_EQ(frames[0].exposure_begin_ns, 0);
+  EXPECT_EQ(frames[0].t_ns, 4 * kPacketTimeNs);
+}
+
 TEST(ExposedFrame, IsLeftOutWhereItWouldOverlap) {
   const TruthSamples frames = expose(config(1, 3), 0.1);
   ASSERT_EQ(frames.size(), 2u);

@@ -3,7 +3,7 @@
     import saccade
 
     with saccade.connect() as client:
-        with client.open(scene="cornell-box", motion="right", size=(160, 120), rate_hz=500, duration_s=0.1) as stream:
+        with client.open(scene="cornell-box", motion="right", size=(160, 120), duration_s=0.1) as stream:
             for events in stream:
                 print(events.t0, len(events), events.p.sum())
 """

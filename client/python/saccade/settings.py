@@ -27,13 +27,7 @@ class SensorSettings(TypedDict, total=False):
     noise: Mapping[str, float]
 
 
-class Needed(TypedDict):
-    """What every stream needs. rate_hz: frames per second of stream time."""
-
-    rate_hz: float
-
-
-class Settings(Needed, total=False):
+class Settings(TypedDict, total=False):
     """All settings. Unset ones take the server's default; proto/PROTOCOL.md gives defaults, ranges and meaning.
 
     scene: one of Client.scenes(). Or pushed: the stream gets its frames from Stream.push(), and has only sensors, size,
@@ -64,9 +58,11 @@ class Settings(Needed, total=False):
     further_views: more cameras on the same body: the place of each, likewise, in the axes of the first. Each has
         sensors of its own, which are numbered after those of the camera before, and the truth channels.
 
-    interval_px: each frame is rendered several times, whenever the picture has moved by about so many pixels; max_rate_hz
-        bounds how often per second. Truth, poses and Stream.step() keep to the frames. Without it each frame is rendered
-        once. Pixels that change in between are rendered down to finest_px of motion, by default a sixteenth.
+    rate_hz: frames per second of stream time, each of which is rendered once. Without it the picture is rendered whenever
+        it has moved by interval_px, by default 1 pixel, but not more often per second than max_rate_hz, by default 1000.
+        Truth and poses then come at 100 Hz. Pixels that change in between are rendered down to finest_px of motion, by
+        default a sixteenth. With interval_px, rate_hz is the rate of truth, poses and Stream.step(), and the least one.
+        "lockstep", motions in pixels per frame, budgets and truth of flow need a rate_hz.
     duration_s: stream time; without it, or with 0, the stream goes on until it is closed.
     clock: "fast" renders as fast as it can, "paced" keeps to the wall clock times speed, "lockstep" renders a frame
         for each Stream.step().
@@ -107,6 +103,7 @@ class Settings(Needed, total=False):
     clearance: float
     start: Sequence[float]
     objects: Mapping[str, str | os.PathLike[str] | NDArray[np.float64]]
+    rate_hz: float
     interval_px: float
     max_rate_hz: float
     finest_px: float

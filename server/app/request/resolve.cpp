@@ -61,7 +61,8 @@ void takeMethod(const MethodInfo& info, ResolvedStream& stream) {
   method.set_name(info.name);
   method.clear_params();
   resolveMethod(method, stream.feed);
-  if (!stream.chooses_refinement) stream.request.mutable_timing()->clear_refinement();
+  v1::Timing& timing = *stream.request.mutable_timing();
+  if (timing.has_refinement() && !stream.chooses_refinement) timing.mutable_refinement()->clear_finest_px();
   resolveRefinement(stream);
   shareSettings(stream);
 }

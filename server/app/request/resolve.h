@@ -14,6 +14,9 @@ ResolvedStream resolve(v1::OpenStream request, const SceneEntry& scene, const Me
 // The same for a stream whose client sends the frames. fitTo() has nothing to add.
 ResolvedStream resolvePushed(v1::OpenStream request);
 
+// Comes before both: a request that leaves its rates open takes at most `most_hz`, 0.1 to 1e5.
+void limitRates(double most_hz, v1::Timing& timing);
+
 // Fits the objects with fitObjects(), and fills in the views with fitView(), and the method where lamps
 // change over time. Removes disabled features that the scene lacks, so that equal feeds have equal keys.
 // Throws Refusal.

@@ -9,6 +9,7 @@ namespace saccade {
 
 // They throw Refusal.
 void resolveTiming(ResolvedStream& stream);
+void resolveRates(ResolvedStream& stream);  // of the timing: how often it is rendered
 void resolveSensors(ResolvedStream& stream);
 void resolveRefinement(ResolvedStream& stream);  // after the timing, the sensors, the method and the quality
 void resolveTruths(ResolvedStream& stream);

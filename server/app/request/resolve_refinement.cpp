@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "app/request/refusal.h"
 #include "app/request/resolve_parts.h"
@@ -24,10 +25,25 @@ RefinementSettings mostSensitive(const ResolvedStream& stream) {
   return least;
 }
 
+double stepBelow(double value, double first, double factor, double least) {
+  const double steps = std::floor(std::log(value / first) / std::log(factor) + 1e-9);
+  return std::max(first * std::pow(factor, steps), least);
+}
+
+// Sensors that differ a little may share a feed. Other feeds than those of PACED streams are never shared.
+RefinementSettings madeFor(const ResolvedStream& stream) {
+  const RefinementSettings sensors = mostSensitive(stream), usual;
+  if (stream.request.timing().clock() != v1::CLOCK_PACED) return sensors;
+  return {
+      .threshold = stepBelow(sensors.threshold, usual.threshold, 2, ranges::kRefinedThreshold.min),
+      .bias = stepBelow(sensors.bias, usual.bias, 10, ranges::kRefinedBias.min),
+  };
+}
+
 void setDefaults(const ResolvedStream& stream, double interval_px, v1::Refinement& refinement) {
   if (refinement.finest_px() == 0)
     refinement.set_finest_px(refinementFault(stream.feed).empty() ? interval_px / kPieces : interval_px);
-  const RefinementSettings least = mostSensitive(stream);
+  const RefinementSettings least = madeFor(stream);
   if (refinement.threshold() == 0) refinement.set_threshold(least.threshold);
   if (refinement.bias() == 0) refinement.set_bias(least.bias);
 }

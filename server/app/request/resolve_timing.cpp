@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "app/request/enum_names.h"
 #include "app/request/refusal.h"
 #include "app/request/resolve_parts.h"
@@ -19,25 +17,13 @@ void takeDuration(const std::optional<Trajectory>& path, v1::Timing& timing) {
   timing.clear_until_path_ends();
 }
 
-IntervalBounds resolveIntervals(v1::Timing& timing) {
-  if (timing.interval_px() == 0) {
-    if (timing.max_rate_hz() != 0) refuse("timing.max_rate_hz", "it needs timing.interval_px");
-    return {};
-  }
-  checkRange("timing.interval_px", timing.interval_px(), ranges::kIntervalPx);
-  if (timing.max_rate_hz() == 0)
-    timing.set_max_rate_hz(std::max(IntervalBounds{}.max_rate_hz, timing.frame_rate_hz()));
-  checkRange("timing.max_rate_hz", timing.max_rate_hz(), timing.frame_rate_hz(), ranges::kFrameRate.max);
-  return {timing.interval_px(), timing.max_rate_hz()};
-}
-
 }  // namespace
 
 void resolveTiming(ResolvedStream& stream) {
   v1::Timing& timing = *stream.request.mutable_timing();
   if (timing.until_path_ends()) takeDuration(stream.given_path, timing);
-  checkRange("timing.frame_rate_hz", timing.frame_rate_hz(), ranges::kFrameRate);
   checkRange("timing.duration_s", timing.duration_s(), ranges::kDuration);
+  resolveRates(stream);
   if (timing.speed() != 0) checkRange("timing.speed", timing.speed(), ranges::kSpeed);
   timing.set_clock(resolveEnum("timing.clock", timing.clock(), v1::CLOCK_FAST));
   if (timing.clock() == v1::CLOCK_LOCKSTEP) timing.set_steerable(true), timing.set_packet_per_frame(true);
@@ -48,8 +34,6 @@ void resolveTiming(ResolvedStream& stream) {
     checkRange("timing.min_speed", timing.min_speed(), ranges::kSpeed.min, speed);
   timing.set_speed(paced ? speed : 0);
   if (!paced) timing.clear_min_speed();
-  stream.feed.frame_rate_hz = timing.frame_rate_hz();
-  stream.feed.intervals = resolveIntervals(timing);
   if (timing.duration_s() == 0) return;
   // A duration within rounding of a whole number of frames counts as that number.
   stream.frames = static_cast<FrameIndex>(timing.duration_s() * timing.frame_rate_hz() + 1e-6);

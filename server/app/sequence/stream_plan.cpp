@@ -30,6 +30,7 @@ ResolvedStream check(v1::OpenStream request, const SceneLibrary& library, const 
 
 StreamPlan planStream(v1::OpenStream request, const SceneLibrary& library, const MeasuredTables& tables,
                       const Limits& limits) {
+  limitRates(limits[Limit::kFrameRate], *request.mutable_timing());
   StreamPlan plan{check(std::move(request), library, tables)};
   checkAlone(plan.resolved.request, limits);
   boundEvents(plan.resolved, limits);

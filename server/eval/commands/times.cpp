@@ -15,6 +15,8 @@
 #include "eval/bench/open_scene.h"
 #include "eval/bench/time_truth.h"
 #include "eval/commands/commands.h"
+#include "eval/figures/time_chart.h"
+#include "eval/pictures/text.h"
 #include "feed/refinement.h"
 #include "methods/method_spec.h"
 #include "saccade/wire/ranges.h"
@@ -28,6 +30,7 @@ struct TimesOptions : FeedOptions {
   int windows = 4, fine = 64;
   double bake_error = 0;
   std::string cache = defaultCache();
+  std::string output;  // of a chart
 };
 
 std::string label(const char* text, double value) {
@@ -48,18 +51,35 @@ void printRow(const std::string& name, const TimeTruthRow& row, const TimeTruthR
   std::fflush(stdout);
 }
 
+// A row for each of `values`, printed as it comes.
+template <class Measure>
+TimeSeries measureAll(const char* name, const char* text, const std::vector<double>& values,
+                      const TimeTruthRow& reference, Measure&& measure) {
+  TimeSeries series{name, {}};
+  for (const double value : values) {
+    series.rows.emplace_back(label(text, value), measure(value));
+    printRow(series.rows.back().first, series.rows.back().second, reference);
+  }
+  return series;
+}
+
 void measure(const TimesOptions& o, const TimeTruthSetup& setup, TilePool& pool) {
   TimeTruth truth(setup, pool);
   std::printf("%-24s %9s %9s %8s %9s %8s %8s %8s\n", "per window", "intervals", "CPU ms", "of ref.", "events",
               "false", "missed", "time");
   printRow(label("reference, %g frames", o.fine), truth.reference(), truth.reference());
-  for (const double frames : o.frames)
-    printRow(label("%g frames", frames), truth.measureFrames(frames), truth.reference());
-  for (const double px : o.intervals)
-    printRow(label("intervals of %g px", px), truth.measureIntervals({.px = px}, false), truth.reference());
-  if (!refinementFault(setup.feed).empty()) return;
-  for (const double px : o.refined)
-    printRow(label("refined ones of %g px", px), truth.measureIntervals({.px = px}, true), truth.reference());
+  const auto all = [&](const char* name, const char* text, const std::vector<double>& values,
+                       auto&& measure) { return measureAll(name, text, values, truth.reference(), measure); };
+  std::vector<TimeSeries> series{
+      all("whole frames", "%g frames", o.frames, [&](double frames) { return truth.measureFrames(frames); }),
+      all("intervals that follow motion", "intervals of %g px", o.intervals,
+          [&](double px) { return truth.measureIntervals({.px = px}, false); })};
+  if (refinementFault(setup.feed).empty())
+    series.push_back(all("refined intervals", "refined ones of %g px", o.refined,
+                         [&](double px) { return truth.measureIntervals({.px = px}, true); }));
+  if (o.output.empty()) return;
+  writeText(o.output, drawTimeChart(sceneName(o.scene) + ", " + o.trajectory, series));
+  std::printf("wrote %s\n", o.output.c_str());
 }
 
 void runTimes(TimesOptions& o) {
@@ -113,6 +133,7 @@ void addTimesCommand(CLI::App& app) {
   c->add_option("--cache", o->cache, "folder for bakes")
       ->check(CLI::Validator(newFolderFault, ""))
       ->capture_default_str();
+  c->add_option("-o,--output", o->output, "an SVG file: a chart of error against CPU time");
   c->callback([o] {
     o->sensor.threshold_off = o->sensor.threshold;
     o->sensor.seed = o->feed.seed;

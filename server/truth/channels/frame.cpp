@@ -19,13 +19,13 @@ class ExposedFrame final : public TruthSource {
 
   // Exposures end at the frames that are wanted. One that would begin during another is left out.
   TruthSamples sample(const FeedInterval& interval) override {
-    if (!interval.ends_frame) return {};
     const FrameIndex last = interval.frame + config_.exposure_frames - 1;
-    if (config_.frames.takes(last, timeOf(last)) && left_ == 0) open(timeOf(interval.frame - 1));
+    const TimeNs frame_begin = timeOf(interval.frame - 1), t0 = interval.change.t0, t1 = interval.change.t1;
+    if (t0 == frame_begin && config_.frames.takes(last, timeOf(last)) && left_ == 0) open(frame_begin);
     if (left_ == 0) return {};
-    expose(interval.change.I_now);
-    if (--left_ > 0) return {};
-    const std::int64_t end = interval.change.t1.count();
+    expose(interval.change.I_now, seconds(t1 - t0) / seconds(timeOf(interval.frame) - frame_begin));
+    if (!interval.ends_frame || --left_ > 0) return {};
+    const std::int64_t end = t1.count();
     return {{end, read(), begin_.count(), end}};
   }
 
@@ -38,11 +38,12 @@ class ExposedFrame final : public TruthSource {
     std::ranges::fill(sum_, 0);
   }
 
-  void expose(const ImageF& intensity) {
+  // `frames`: for how much of a frame.
+  void expose(const ImageF& intensity, double frames) {
     auto sum = sum_.begin();
     for (int y = 0; y < config_.height; ++y) {
       const float* row = intensity.row(y);
-      for (int x = 0; x < config_.width; ++x) *sum++ += row[x];
+      for (int x = 0; x < config_.width; ++x) *sum++ += frames * row[x];
     }
   }
 

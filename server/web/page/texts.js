@@ -46,7 +46,10 @@ export function showRendering(info) {
 export function showStream({ id, resolved, opened }) {
   if (!resolved) return void (element("about").textContent = `broadcast ${id}`);
   const { view, timing, method } = resolved;
-  const motion = opened.pxPerFrameP50 > 0 ? `${opened.pxPerFrameP50.toPrecision(2)} px/frame` : "still";
-  const parts = [resolved.scene, `${view.width} × ${view.height}`, `${timing.frameRateHz} frames/s`, motion, method.name];
+  const follows = timing.intervalPx > 0;
+  const px = opened.pxPerFrameP50 * (follows ? timing.frameRateHz : 1);
+  const rate = follows ? `${timing.intervalPx} px/interval` : `${timing.frameRateHz} frames/s`;
+  const motion = px > 0 ? `${px.toPrecision(2)} px/${follows ? "s" : "frame"}` : "still";
+  const parts = [resolved.scene, `${view.width} × ${view.height}`, rate, motion, method.name];
   element("about").textContent = parts.join(" · ");
 }

@@ -19,7 +19,6 @@ OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset"
 OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "clearance", "start", "objects", "method", "spp",
              "params", "disable", "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
-NEEDED = ("rate_hz", "size")
 
 
 def make_request(settings: Settings) -> c.OpenStream:
@@ -33,12 +32,12 @@ def make_request(settings: Settings) -> c.OpenStream:
     if pushed:
         _check_pushed(s)
     s = with_calibration(s)
-    for name in NEEDED if pushed else (*NEEDED, "scene"):
+    for name in ("size", "rate_hz" if pushed else "scene"):
         if name not in s:
             raise TypeError(f"the setting '{name}' is missing")
     return c.OpenStream(
         view=make_view(s), further_views=make_further_views(s), sensors=_sensors(s), truth=make_truth(s),
-        timing=c.Timing(frame_rate_hz=s["rate_hz"],
+        timing=c.Timing(**({"frame_rate_hz": s["rate_hz"]} if "rate_hz" in s else {}),
                         **_some(s, "clock", "duration_s", "speed", "steerable", "packet_per_frame", "until_path_ends",
                                 "interval_px", "max_rate_hz"),
                         **({"refinement": c.Refinement(finest_px=s["finest_px"])} if "finest_px" in s else {})),

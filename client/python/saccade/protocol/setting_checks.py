@@ -146,9 +146,9 @@ SETTINGS: dict[str, Check] = {
     **dict.fromkeys(("pushed", "steerable", "packet_per_frame", "until_path_ends", "labels", "object_ids", "jitter",
                      "monochrome"),
                     flag),
-    **dict.fromkeys(("rate_hz", "interval_px", "max_rate_hz", "finest_px", "turn_s", "clearance", "duration_s", "fov_x_deg",
+    **dict.fromkeys(("interval_px", "max_rate_hz", "finest_px", "turn_s", "clearance", "duration_s", "fov_x_deg",
                      "max_artefact_odds", "bake_error", "budget_ms", "max_false_rate", "max_event_change", "metres_per_unit"), number),
-    **dict.fromkeys(("speed", "imu_rate_hz"), positive), "seed": whole(0, MOST_U64), "motion_seed": whole(0, MOST_U64),
+    **dict.fromkeys(("rate_hz", "speed", "imu_rate_hz"), positive), "seed": whole(0, MOST_U64), "motion_seed": whole(0, MOST_U64),
     "spp": count, "max_events_per_pixel_frame": count, "max_events_per_frame": whole(1, MOST_U64),
     "bounces": whole(0, MOST_U32),
 }
