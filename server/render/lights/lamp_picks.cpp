@@ -28,11 +28,13 @@ std::span<const LampPicks::Pick> LampPicks::choose(float u) {
 LampPicks::Least LampPicks::leastOfStrongest() {
   float total = 0;
   for (std::size_t i = 0; i < count_; ++i) total += sorted_[i] = all_[i].weight;
+  const float matters = kLeastShare * total;
+  const auto all_end = sorted_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto matter = std::count_if(sorted_.begin(), all_end, [&](float w) { return w >= matters; });
+  if (static_cast<std::size_t>(matter) <= kStrongest) return {matters, kStrongest};
   const auto end = sorted_.begin() + kStrongest;
-  std::nth_element(sorted_.begin(), end - 1, sorted_.begin() + static_cast<std::ptrdiff_t>(count_),
-                   std::greater<>());
-  const float least = end[-1], matters = kLeastShare * total;
-  if (least < matters) return {matters, kStrongest};
+  std::nth_element(sorted_.begin(), end - 1, all_end, std::greater<>());
+  const float least = end[-1];
   return {least, static_cast<std::size_t>(std::count(sorted_.begin(), end, least))};
 }
 
