@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "render/lights/spot_weights.h"
+
 namespace saccade {
 namespace {
 
@@ -41,6 +43,27 @@ TEST(DeltaLamps, AreFewUpToSixteenAndGetRaysUpToALimit) {
   EXPECT_TRUE(lamps(17).getRays() && !lamps(17).areFew());
   EXPECT_TRUE(lamps(256).getRays());
   EXPECT_FALSE(lamps(257).getRays());
+}
+
+// Within the beam of a spot, and in all directions of a point, the weight is the light. Beyond a cone, below
+// the surface and in the lanes without a lamp it is 0.
+TEST(SpotWeights, AreWhatASurfaceReflects) {
+  Scene s;
+  const Vec3 down{0, 0, -1};
+  for (int i = 0; i < 9; ++i)
+    s.point_lights.push_back({{static_cast<float>(i), 1, static_cast<float>(i) - 2}, {1, 2, 3}});
+  s.spot_lights = {{{0.1f, 0, 4}, down, {5, 5, 5}, 0.3f, 0.4f}, {{3, 0, 2}, down, {5, 5, 5}, 0.3f, 0.4f}};
+  const DeltaLamps lamps(s, Lamps(s));
+  alignas(32) float weights[16];
+  SpotWeights(Lamps(s).spots()).at({}, {0, 0, 0.5f}, weights);
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    const IncidentLight light = lamps.at(i, {});
+    const float reflected = 0.5f * luminance(light.radiance) * std::max(0.f, light.direction.z);
+    EXPECT_NEAR(weights[i], reflected, 1e-5f * reflected) << i;
+  }
+  EXPECT_GT(weights[9], 0);
+  EXPECT_EQ(weights[10], 0);
+  for (std::size_t i = lamps.size(); i < 16; ++i) EXPECT_EQ(weights[i], 0);
 }
 
 }  // namespace

@@ -26,7 +26,9 @@ inline IncidentLight sampleOf(const SpotLight& spot, Vec3 point, float pdf) {
   const Vec3 segment = spot.position - point;
   const float distance2 = dot(segment, segment);
   const Vec3 w = segment / std::sqrt(distance2);
-  return {w, segment, kShadowEnd, intensityTowards(spot, -w) / distance2, pdf, true};
+  const bool everywhere = spot.beam >= std::numbers::pi_v<float>;
+  const Rgb intensity = everywhere ? spot.intensity : intensityTowards(spot, -w);
+  return {w, segment, kShadowEnd, intensity / distance2, pdf, true};
 }
 inline IncidentLight sampleOf(const DirectionalLight& sun, float pdf) {
   constexpr float kEndless = std::numeric_limits<float>::infinity();

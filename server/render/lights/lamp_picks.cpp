@@ -4,6 +4,11 @@
 #include <functional>
 
 namespace saccade {
+namespace {
+
+constexpr float kLeastShare = 0.01f;  // of all weights, of a lamp that gets a ray of its own
+
+}  // namespace
 
 std::span<const LampPicks::Pick> LampPicks::choose(float u) {
   picked_ = 0;
@@ -21,10 +26,14 @@ std::span<const LampPicks::Pick> LampPicks::choose(float u) {
 }
 
 LampPicks::Least LampPicks::leastOfStrongest() {
-  for (std::size_t i = 0; i < count_; ++i) sorted_[i] = all_[i].weight;
+  float total = 0;
+  for (std::size_t i = 0; i < count_; ++i) total += sorted_[i] = all_[i].weight;
+  const float matters = kLeastShare * total;
+  const auto all_end = sorted_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto matter = std::count_if(sorted_.begin(), all_end, [&](float w) { return w >= matters; });
+  if (static_cast<std::size_t>(matter) <= kStrongest) return {matters, kStrongest};
   const auto end = sorted_.begin() + kStrongest;
-  std::nth_element(sorted_.begin(), end - 1, sorted_.begin() + static_cast<std::ptrdiff_t>(count_),
-                   std::greater<>());
+  std::nth_element(sorted_.begin(), end - 1, all_end, std::greater<>());
   const float least = end[-1];
   return {least, static_cast<std::size_t>(std::count(sorted_.begin(), end, least))};
 }
@@ -32,11 +41,10 @@ LampPicks::Least LampPicks::leastOfStrongest() {
 // One of each of several equal parts of their running sum, in order of lamps: nothing but a change of weights
 // moves it.
 void LampPicks::chooseOthers(std::span<const Weighted> others, float u) {
-  float sum = 0, strongest = 0;
+  float sum = 0, total = 0;
   for (const Weighted& lamp : others) sum += lamp.weight;
-  for (std::size_t i = 0; i < kStrongest; ++i) strongest += sorted_[i];
-  const float share = sum / (sum + strongest);
-  const int parts = share < 0.01f ? 1 : share < 0.25f ? 4 : static_cast<int>(kMostOthers);
+  for (std::size_t i = 0; i < count_; ++i) total += sorted_[i];
+  const int parts = sum < 0.02f * total ? 1 : sum < 0.5f * total ? 4 : static_cast<int>(kMostOthers);
   const float part = sum / static_cast<float>(parts);
   float up_to = 0;
   int next = 0;

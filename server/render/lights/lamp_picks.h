@@ -7,9 +7,9 @@
 
 namespace saccade {
 
-// All, if they are few. Else the strongest, and some of the others, each in proportion to its weight. Those
-// stand for all others, so that the mean is right. Equal numbers give equal lamps at points that are close
-// together, nearly always.
+// All, if they are few. Else the strongest that have a hundredth of all weights, and some of the others, each
+// in proportion to its weight. Those stand for all others, so that the mean is right. Equal numbers give
+// equal lamps at points that are close together, nearly always.
 class LampPicks {
  public:
   static constexpr std::size_t kMost = 256;  // lamps

@@ -2,6 +2,7 @@
 // for each pixel and lamp, but for the weaker ones of many.
 #pragma once
 
+#include "render/lights/spot_weights.h"
 #include "render/surface/scatter.h"
 #include "render/tiles/ray_numbers.h"
 #include "render/tiles/surface_start.h"
@@ -74,14 +75,24 @@ class DeltaLight {
     rays_.add({leaveTowards(start, light.direction), light.segment, light.reach, next_});
     next_ = (next_ + 1) % kPending;
   }
+  // About what each lamp gives.
+  void weigh(const auto& start, Vec3 origin, std::size_t first = 0) {
+    for (std::size_t i = first; i < lamps_.size(); ++i)
+      weights_[i] = luminance(reflectedOf(i, start, origin).color);
+  }
+  void weigh(const PlainStart& start, Vec3 origin) {
+    const float reflected = luminance(start.reflectance) * std::numbers::inv_pi_v<float>;
+    spots_.at(origin, start.shading_normal * reflected, weights_);
+    weigh<PlainStart>(start, origin, spots_.size());
+  }
   void addSome(std::uint32_t owner, const auto& start, Vec3 origin, float scale, const RayNumbers& numbers) {
     const Lamps& all = tracing_.scene.still().lights().lamps();
     const LampSight::Shares* seen =
         all.hasTree(LightSet::kAll) ? all.tree(LightSet::kAll).seenFrom({origin, normalOf(start)}) : nullptr;
+    weigh(start, origin);
     picks_.clear();
     for (std::size_t i = 0; i < lamps_.size(); ++i)
-      if (const float weight = luminance(reflectedOf(i, start, origin).color); weight > 0)
-        picks_.add(static_cast<std::uint32_t>(i), weight * lamps_.shareSeen(i, seen));
+      if (weights_[i] > 0) picks_.add(static_cast<std::uint32_t>(i), weights_[i] * lamps_.shareSeen(i, seen));
     for (const LampPicks::Pick& pick : picks_.choose(numbers.u(0, 0)))
       ask(owner, start, reflectedOf(pick.lamp, start, origin), scale * pick.factor);
   }
@@ -104,6 +115,9 @@ class DeltaLight {
   const OnLight& on_light_;
   const Tell tell_{*this};
   LampPicks picks_;
+  const SpotWeights spots_{lamps_.areFew() ? std::span<const SpotLight>{}
+                                           : tracing_.scene.still().lights().lamps().spots()};
+  alignas(64) float weights_[LampPicks::kMost];  // of many lamps
   std::array<Pending, kPending> pending_;
   std::uint32_t next_ = 0;
   TileShadowRays<S, Tell> rays_;
