@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/vec.h"
+#include "eval/bench/interrupt.h"
 #include "frame/image.h"
 #include "saccade/wire/event.h"
 
@@ -32,9 +33,11 @@ class WarpedEvents {
   ImageF image_, rows_;
 };
 
-// Of the events without polarity, b_k = 1 in [G18], where `warp` moves them, blurred.
+// Of the events without polarity, b_k = 1 in [G18], where `warp` moves them, blurred. Throws
+// Interrupted.
 template <class Warp>
 double contrastOf(std::span<const Event> events, const Warp& warp, WarpedEvents& image) {
+  if (interrupted()) throw Interrupted{};
   image.clear();
   for (const Event& e : events) image.add(warp(e));
   image.blur();
