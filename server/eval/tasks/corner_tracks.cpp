@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "eval/bench/interrupt.h"
 #include "eval/tasks/active_events.h"
 #include "eval/tasks/efast.h"
 #include "eval/tasks/task.h"
@@ -39,6 +40,7 @@ TaskScore scoreCornerTracks(const TaskInput& input) {
   std::array<CornerTracks, 2> tracks;
   std::size_t lost = 0, counted = 0;
   for (const Event& e : input.events) {
+    if (interrupted()) throw Interrupted{};
     if (!active.add(e) || !isCorner(active.times(e.p), e.x, e.y)) continue;
     const CornerTrack& track = tracks[e.p].add({float(e.x), float(e.y)}, TimeNs(e.t_ns));
     const Vec2 truth = input.truth.carried(track.start, track.begin, track.end);

@@ -11,6 +11,7 @@ namespace saccade::eval {
 namespace {
 
 constexpr double kStepPx = 2, kPrecisePx = 0.02;
+constexpr std::size_t kObjectFrames = 16;  // of a window: slow objects need time to stand out
 
 class Compensation {
  public:
@@ -21,6 +22,12 @@ class Compensation {
     const double dt = seconds(TimeNs(e.t_ns) - reference_), x = e.x - cx_, y = e.y - cy_;
     return {static_cast<float>(e.x - dt * (motion_.x + motion_.expansion * x - motion_.turn * y)),
             static_cast<float>(e.y - dt * (motion_.y + motion_.turn * x + motion_.expansion * y))};
+  }
+  // By how much it stretches areas at the time of an event.
+  float area(const Event& e) const {
+    const double dt = seconds(TimeNs(e.t_ns) - reference_), grow = 1 - dt * motion_.expansion;
+    const double turn = dt * motion_.turn;
+    return static_cast<float>(grow * grow + turn * turn);
   }
 
  private:
@@ -40,11 +47,11 @@ GlobalMotion globalMotion(std::span<const Event> events, int width, int height, 
   const auto motion = [&](const Variables& v) {
     return GlobalMotion{v[0] / span_s, v[1] / span_s, v[2] / arm, v[3] / arm};
   };
-  return motion(minimise(
-      [&](const Variables& v) {
-        return -contrastOf(events, Compensation(motion(v), width, height, reference), image);
-      },
-      {0, 0, 0, 0}, kStepPx, kPrecisePx, 400));
+  const auto contrast = [&](const Variables& v) {
+    const Compensation warp(motion(v), width, height, reference);
+    return -contrastOf(events, warp, image, [&](const Event& e) { return warp.area(e); });
+  };
+  return motion(minimise(contrast, {0, 0, 0, 0}, kStepPx, kPrecisePx, 400));
 }
 
 std::vector<double> motionScores(std::span<const Event> events, int width, int height,
@@ -70,7 +77,7 @@ std::vector<double> motionScores(std::span<const Event> events, int width, int h
 TaskScore scoreMovingObjects(const TaskInput& input) {
   const int width = input.truth.camera.width, height = input.truth.camera.height;
   std::vector<Scored> all;
-  for (const Window& window : windowsOf(input)) {
+  for (const Window& window : windowsOf(input, kObjectFrames)) {
     const GlobalMotion motion = globalMotion(window.events, width, height, window.middle(), window.span_s());
     const std::vector<double> scores =
         motionScores(window.events, width, height, motion, window.middle(), window.span_s());

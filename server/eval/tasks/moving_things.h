@@ -18,7 +18,12 @@ struct GlobalMotion {
   double expansion = 0, turn = 0;  // per second
 };
 
-// The one of most contrast. [M18] minimises the gradient of the time image instead. `span_s`: of the events.
+// The one of most contrast, where an event counts by the area that the motion makes of its pixel. Else events
+// would fall together under a motion that shrinks the picture [SAG22]. [M18] minimises the gradient of the
+// time image instead. `span_s`: of the events.
+//
+// [SAG22] Shiba, Aoki, Gallego, Event collapse in contrast maximization frameworks, Sensors 2022. The weights
+// are ours.
 GlobalMotion globalMotion(std::span<const Event> events, int width, int height, TimeNs reference,
                           double span_s);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/quantile.h"
+#include "eval/bench/interrupt.h"
 #include "eval/tasks/active_events.h"
 #include "eval/tasks/task.h"
 
@@ -86,6 +87,7 @@ TaskScore scoreNormalFlow(const TaskInput& input) {
   ActiveEvents active(input.truth.camera.width, input.truth.camera.height);
   std::vector<double> errors;
   for (const Event& e : input.events) {
+    if (interrupted()) throw Interrupted{};
     if (!active.add(e)) continue;
     const auto flow = normalFlow(active.times(e.p), e.x, e.y);
     const Vec2 truth = input.truth.flowAt({float(e.x), float(e.y)}, TimeNs(e.t_ns));

@@ -26,7 +26,7 @@ struct Task {
   const char *name, *what;
   const char* error;  // what the error is, for the axis of a chart
   bool (*applies)(const TaskTruth& truth);
-  TaskScore (*score)(const TaskInput& input);
+  TaskScore (*score)(const TaskInput& input);  // throws Interrupted
 };
 
 // THE list of tasks.

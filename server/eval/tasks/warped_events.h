@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/vec.h"
+#include "eval/bench/interrupt.h"
 #include "frame/image.h"
 #include "saccade/wire/event.h"
 
@@ -32,13 +33,21 @@ class WarpedEvents {
   ImageF image_, rows_;
 };
 
-// Of the events without polarity, b_k = 1 in [G18], where `warp` moves them, blurred.
-template <class Warp>
-double contrastOf(std::span<const Event> events, const Warp& warp, WarpedEvents& image) {
+// Of the events without polarity, where `warp` moves them, blurred. Each counts as weight(event): b_k of
+// [G18]. Throws Interrupted.
+template <class Warp, class Weight>
+double contrastOf(std::span<const Event> events, const Warp& warp, WarpedEvents& image,
+                  const Weight& weight) {
+  if (interrupted()) throw Interrupted{};
   image.clear();
-  for (const Event& e : events) image.add(warp(e));
+  for (const Event& e : events) image.add(warp(e), weight(e));
   image.blur();
   return image.variance();
+}
+// Each counts as 1.
+template <class Warp>
+double contrastOf(std::span<const Event> events, const Warp& warp, WarpedEvents& image) {
+  return contrastOf(events, warp, image, [](const Event&) { return 1.f; });
 }
 
 }  // namespace saccade::eval

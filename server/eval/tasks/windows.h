@@ -17,7 +17,7 @@ struct Window {
   double span_s() const { return seconds(end - begin); }
 };
 
-// Windows of kWindowFrames frames each, one after the other. A rest of less frames is left out.
-std::vector<Window> windowsOf(const TaskInput& input);
+// Windows of `length` frames each, >= 1, one after the other. A rest of less frames is left out.
+std::vector<Window> windowsOf(const TaskInput& input, std::size_t length = kWindowFrames);
 
 }  // namespace saccade::eval
