@@ -35,16 +35,21 @@ Range rangeAround(const ImageF& plane, int x, int y, float deviations) {
 }  // namespace
 
 std::chrono::nanoseconds accumulateFast(const FramePair& frames, const IlluminationSamples& samples,
-                                        float most, const ImageF& length, const FastHistory& prev,
+                                        float most, const ImageF& length, const ImageF& length_prev,
+                                        const FastHistory& prev, const ImageF& I_prev2,
                                         const PoolHandle& pool, FastHistory& out) {
   const GBuffer &g = frames.cur.g, &g_prev = frames.prev.g;
   return pool.forEachRow(length.height(), [&](int y) {
     for (int x = 0; x < length.width(); ++x) {
       const Reprojection W = Reprojection::find(g, g_prev, x, y, SameSurface(g, g_prev, x, y));
       const float alpha = W.found() ? 1 / std::min(most, length.at(x, y)) : 1;
-      const float I = W(prev.I), D = W(prev.D);
-      out.I.at(x, y) = I + alpha * (samples.i.at(x, y) - I);
-      out.D.at(x, y) = D + alpha * (samples.d.at(x, y) - D);
+      const float d = samples.d.at(x, y), R = W(prev.I);
+      out.R.at(x, y) = R;
+      out.I.at(x, y) = R + alpha * (samples.i.at(x, y) - R);
+      // [E (16)], as in accumulate().
+      const float carried = W(prev.D) + W(I_prev2) - prev.R.at(x, y);
+      const bool history = W.found() && length_prev.at(x, y) > 1;
+      out.D.at(x, y) = history ? carried + alpha * (d - carried) : d;
     }
   });
 }

@@ -8,13 +8,15 @@
 namespace saccade {
 
 struct FastHistory {
-  FastHistory(int w, int h) : I(w, h), D(w, h) {}
-  ImageF I, D;  // means of i and of d over at most `most` frames
+  FastHistory(int w, int h) : I(w, h), D(w, h), R(w, h) {}
+  ImageF I, D, R;  // as those of History, over at most `most` frames
 };
 
-// Follows the motion vectors, as accumulate() does. `length`: History::length of this frame.
+// Follows the motion vectors, as accumulate() does. `length`, `length_prev`: History::length of both frames.
+// `I_prev2`: the fast I' of two frames ago.
 std::chrono::nanoseconds accumulateFast(const FramePair& frames, const IlluminationSamples& samples,
-                                        float most, const ImageF& length, const FastHistory& prev,
+                                        float most, const ImageF& length, const ImageF& length_prev,
+                                        const FastHistory& prev, const ImageF& I_prev2,
                                         const PoolHandle& pool, FastHistory& out);
 
 // Clamps I' and D' of a history to the values of the fast one in 5x5 pixels. The range is their mean, plus

@@ -32,9 +32,9 @@ const std::vector<ParamField<P>>& fields() {
   return table;
 }
 
-// Of four planes more than other methods have, with borders. A picture is at most 16 times as wide as high.
+// Of seven planes more than other methods have, with borders. A picture is at most 16 times as wide as high.
 double relaxBytes(const ParamValues&, const ViewTraits& view) {
-  constexpr double kPlanes = 4, kLongest = 4.25;  // both sides together, over the root of their product
+  constexpr double kPlanes = 7, kLongest = 4.25;  // both sides together, over the root of their product
   constexpr double kBorders = 2 * ImageF::kBorder;
   return kPlanes * sizeof(float) * (view.pixels + kBorders * (kLongest * std::sqrt(view.pixels) + kBorders));
 }
@@ -71,6 +71,7 @@ Relax::Relax(const RelaxParams& p, int w, int h)
       fast_(w, h),
       fast_prev_(w, h),
       I_prev2_(w, h),
+      fast_I_prev2_(w, h),
       filtered_(w, h),
       scratch_(w, h),
       i_prev_(w, h),
@@ -99,11 +100,13 @@ void Relax::accumulateFrame(const FramePair& frames, const PoolHandle& pool, Sta
   times[Stage::kModulate] += demodulate(frames, Demodulation::kAlbedo, pool, samples_);
   std::swap(I_prev2_, history_prev_.I);
   std::swap(history_, history_prev_);
+  std::swap(fast_I_prev2_, fast_prev_.I);
   std::swap(fast_, fast_prev_);
   times[Stage::kTemporal] +=
       accumulate(frames, samples_, accumulation_, history_prev_, &I_prev2_, pool, history_);
-  times[Stage::kTemporal] += accumulateFast(frames, samples_, static_cast<float>(params_.fast_history),
-                                            history_.length, fast_prev_, pool, fast_);
+  times[Stage::kTemporal] +=
+      accumulateFast(frames, samples_, static_cast<float>(params_.fast_history), history_.length,
+                     history_prev_.length, fast_prev_, fast_I_prev2_, pool, fast_);
   times[Stage::kTemporal] += clampHistory(fast_, params_.clamp, pool, history_);
 }
 

@@ -45,7 +45,7 @@ class Relax final : public Method {
   IlluminationSamples samples_;
   History history_, history_prev_;
   FastHistory fast_, fast_prev_;
-  ImageF I_prev2_;  // I' of two frames ago
+  ImageF I_prev2_, fast_I_prev2_;  // I' of two frames ago, of both histories
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_, var_i_prev_;  // D[i_{t-1}] and its variance
 };

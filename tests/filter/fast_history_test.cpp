@@ -18,16 +18,20 @@ struct Fixture : ::testing::Test {
   FastHistory fast{kW, kH}, fast_prev{kW, kH};
 };
 
-// A mean of at most 6 frames: 10 frames of 1, then one of 0 leaves 5/6.
+// A mean of at most 6 frames: 10 frames of 1, then one of 0 leaves 5/6. Its difference is that of both means.
 TEST_F(Fixture, IsAMeanOfFewFrames) {
-  for (int t = 1; t <= 11; ++t) {
-    samples.i.fill(t <= 10 ? 1 : 0), samples.d.fill(t <= 10 ? 2 : 0);
+  ImageF I_prev2(kW, kH), length_prev(kW, kH);
+  for (int t = 1; t <= 12; ++t) {
+    samples.i.fill(t <= 10 ? 1 : 0), samples.d.fill(t == 11 ? -1 : 0);
+    length_prev.copyFrom(history.length);
     history.length.fill(static_cast<float>(t));
-    std::swap(fast, fast_prev);
-    accumulateFast({cur, prev}, samples, 6, history.length, fast_prev, pool, fast);
+    std::swap(I_prev2, fast_prev.I), std::swap(fast, fast_prev);
+    accumulateFast({cur, prev}, samples, 6, history.length, length_prev, fast_prev, I_prev2, pool, fast);
+    if (t < 11) continue;
+    const float mean = t == 11 ? 5 / 6.f : 25 / 36.f;
+    EXPECT_FLOAT_EQ(fast.I.at(5, 5), mean);
+    EXPECT_NEAR(fast.D.at(5, 5), mean - fast_prev.I.at(5, 5), 1e-6f);
   }
-  EXPECT_FLOAT_EQ(fast.I.at(5, 5), 5 / 6.f);
-  EXPECT_FLOAT_EQ(fast.D.at(5, 5), 2 * 5 / 6.f);
 }
 
 // In stripes of 0 and 1 the 25 pixels around an even column have 10 of 1: mean 0.4, variance 0.24.

@@ -45,10 +45,10 @@ TEST(MethodTable, TellsTheMemoryThatAGridMayTake) {
   EXPECT_EQ(findMethod("event_svgf")->memory({}, {1e5, false, true}), 0);
 }
 
-// The four planes of RELAX's second history, with their borders of 32 pixels.
+// The seven planes of RELAX's second history, with their borders of 32 pixels.
 TEST(MethodTable, TellsTheMemoryOfASecondHistory) {
   for (const auto& [w, h] : {std::pair{640., 480.}, {32., 24.}, {1600., 100.}})
-    EXPECT_GE(findMethod("relax")->memory({}, {w * h, false, false}), 4 * 4 * (w + 64) * (h + 64)) << w;
+    EXPECT_GE(findMethod("relax")->memory({}, {w * h, false, false}), 7 * 4 * (w + 64) * (h + 64)) << w;
 }
 
 TEST(MethodTable, AFormerNameOfAParameterIsRefusedWithTheNewOne) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/camera/view_grid.h"
+#include "render/render_pixels.h"
 #include "render/test_scenes.h"
 
 namespace saccade {
@@ -53,6 +54,25 @@ TEST_F(Fixture, PartsOfAPictureHaveItsPaths) {
       const float mean = (first.samples.I2.at(x, y) + second.samples.I2.at(x, y)) / 2;
       ASSERT_NEAR(mean, whole.samples.I2.at(x, y), 1e-5f * (1 + mean)) << x << "," << y;
     }
+}
+
+// Whole tiles, runs of pixels and single ones.
+TEST_F(Fixture, SomePixelsAreAsInTheWholePicture) {
+  const Camera camera = cameraAt(0);
+  const SeedPlan seeds = SeedPlan::independent(1, 0, 4);
+  const Frame whole = render(camera, camera, seeds);
+  Image<int> wanted(kW, kH);
+  for (int y = 0; y < kH; ++y)
+    for (int x = 0; x < kW; ++x) wanted.at(x, y) = x < 20 || (x < 40 ? x % 5 < 3 : (x + y) % 2);
+  TilePool pool(2);
+  Frame some(kW, kH);
+  const PosedScene posed(scene);
+  const float before = some.samples.I2.at(0, 0);
+  renderPixels({3, 1}, PixelContext({posed, camera}, {posed, camera}), seeds, wanted, pool, some);
+  for (int y = 0; y < kH; ++y)
+    for (int x = 0; x < kW; ++x)
+      ASSERT_EQ(some.samples.I2.at(x, y), wanted.at(x, y) ? whole.samples.I2.at(x, y) : before)
+          << x << "," << y;
 }
 
 TEST_F(Fixture, PassOneReplaysTheSeedOfThePreviousFrame) {

@@ -9,7 +9,7 @@
 namespace saccade::test {
 namespace {
 
-// The methods that ours are compared with.
+// The rivals of claims. Further methods of the table have figures and no say, see server/methods/RIVALS.md.
 const std::vector<std::string> kRivals{"event_svgf", "svgf", "svgf:as_falcor=1", "pt-correlated", "pt"};
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {

@@ -5,6 +5,7 @@
 #include "eval/bench/open_scene.h"
 #include "eval/figures/brightness_curves.h"
 #include "eval/figures/reconstruction_score.h"
+#include "eval/figures/screened_poisson.h"
 #include "eval/pictures/text.h"
 
 namespace saccade::eval {
@@ -50,6 +51,9 @@ void addRun(const FigureOptions& o, const std::string& scene, const std::string&
     if (spp == o.spp.front() && curve)
       results.curves.push_back({method + " " + name, LineStyle::kLine, brightnessOf(run, sensor)});
   }
+  if (spp == o.spp.front() && method == o.methods.front())
+    results.curves.push_back(
+        {method + " screened Poisson", LineStyle::kLine, screenedPoisson(run, o.bench.bias)});
 }
 
 void runScene(const FigureOptions& o, const std::string& scene, TilePool& pool, Results& results) {
