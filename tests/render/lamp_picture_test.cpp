@@ -64,6 +64,26 @@ TEST(LampPicture, IsSeenAsItIs) {
   EXPECT_NEAR(radianceAt(0.3f), 0, kFiltered);
 }
 
+// In these u grows along the second edge, with x.
+TEST(LampPicture, MayHaveTheSecondCoordinates) {
+  Mesh lamp = pictured();
+  lamp.second_uvs = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+  Scene scene = floorWith(lamp);
+  scene.materials.back().emission.second_uvs = true;
+  const Lamps lamps(scene);
+  for (int i = 0; i < 16; ++i) {
+    const IncidentLight light =
+        lamps.sample({static_cast<std::uint32_t>(i % 2), 1}, {}, (static_cast<float>(i) + 0.5f) / 16, 0.3f);
+    EXPECT_NEAR(light.radiance.x, light.segment.x < 1 ? 6 : 0, kFiltered) << light.segment.x;
+  }
+  const PosedScene posed(std::make_shared<RenderScene>(std::move(scene)));
+  for (const float x : {0.5f, 1.5f}) {
+    const Ray ray{{x, 0, 0.5f}, {0, 0, 1}, 9};
+    const Hit hit = posed.still().geometry().intersect(ray);
+    EXPECT_NEAR(surfaceAt<kEverything>(posed, ray, hit, 1e-4f).radiance.x, x < 1 ? 6 : 0, kFiltered);
+  }
+}
+
 TEST(LampPicture, HasNoClosedForm) {
   const RenderScene scene(floorWith(pictured()));
   EXPECT_FALSE(scene.analyticLight().holds(1));
