@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Named{"two_poles", withNoise({.photoreceptor_hz = 150, .follower_hz = 400})},
                     Named{"asymmetry", withNoise({.photoreceptor_hz = 150, .asymmetry = 1})},
                     Named{"two_asymmetric_poles",
-                          withNoise({.photoreceptor_hz = 150, .follower_hz = 400, .asymmetry = 1})},
+                          withNoise({.photoreceptor_hz = 150, .follower_hz = 450, .asymmetry = 1})},
                     Named{"dark_current", withNoise({.photoreceptor_hz = 150, .dark_luminance = 0.2})},
                     Named{"level_leak", withNoise({.level_leak_hz = 40})},
                     Named{"kalman", with(&SensorConfig::reconstruction, "kalman")},
