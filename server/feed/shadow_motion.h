@@ -1,7 +1,7 @@
 // How far shadows move in the picture of a feed, where bodies cast them, catch them or carry lamps [ours].
 //
-// The line from a lamp l through a point p meets the plane of a surface: there lies the shadow of p. All three
-// move with their bodies.
+// The line from a lamp l through a point p meets the plane of a surface: there lies the shadow of p. All
+// three move with their bodies.
 #pragma once
 
 #include <span>

@@ -10,16 +10,25 @@ TimeTruth::TimeTruth(const TimeTruthSetup& setup, TilePool& pool)
     : setup_(setup), pool_(pool), reference_(run(framesOf(setup.fine), truth_)) {}
 
 TimeTruthRow TimeTruth::measureFrames(double per_window) {
-  return measure(framesOf(per_window));
+  return measure(framesOf(per_window), truth_);
 }
 
 TimeTruthRow TimeTruth::measureIntervals(const IntervalBounds& bounds, bool refined) {
   FeedConfig feed = setup_.feed;
   feed.intervals = bounds;
-  if (refined)
-    feed.refinement = {
-        .finest_px = bounds.px / 16, .threshold = setup_.sensor.threshold, .bias = setup_.sensor.bias};
-  return measure(feed);
+  if (!refined) return measure(feed, truth_);
+  feed.refinement = {
+      .finest_px = bounds.px / 16, .threshold = setup_.sensor.threshold, .bias = setup_.sensor.bias};
+  return measure(feed, unfilteredTruth(*feed.refinement));
+}
+
+const Events& TimeTruth::unfilteredTruth(const RefinementSettings& refinement) {
+  if (!unfiltered_) {
+    FeedConfig feed = framesOf(setup_.fine);
+    feed.refinement = refinement;  // too coarse for these frames, so that none is divided
+    run(feed, unfiltered_.emplace());
+  }
+  return *unfiltered_;
 }
 
 FeedConfig TimeTruth::framesOf(double per_window) const {
@@ -28,10 +37,10 @@ FeedConfig TimeTruth::framesOf(double per_window) const {
   return feed;
 }
 
-TimeTruthRow TimeTruth::measure(const FeedConfig& feed) const {
+TimeTruthRow TimeTruth::measure(const FeedConfig& feed, const Events& truth) const {
   Events events;
   TimeTruthRow row = run(feed, events);
-  row.errors = windowErrors(events, truth_, 1e9 / setup_.feed.frame_rate_hz);
+  row.errors = windowErrors(events, truth, 1e9 / setup_.feed.frame_rate_hz);
   return row;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "eval/metrics/window_errors.h"
 #include "events/sensor_config.h"
@@ -33,17 +34,20 @@ class TimeTruth {
   const TimeTruthRow& reference() const { return reference_; }
   // With equal frames, so many per window.
   TimeTruthRow measureFrames(double per_window);
-  // With intervals that follow motion, whose pixels are refined to a sixteenth of it or not.
+  // With intervals that follow motion, whose pixels are refined to a sixteenth of it or not. Refined ones
+  // have no filter: they are compared with fine frames without it.
   TimeTruthRow measureIntervals(const IntervalBounds& bounds, bool refined);
 
  private:
   TimeTruthRow run(const FeedConfig& feed, Events& events) const;
-  TimeTruthRow measure(const FeedConfig& feed) const;
+  TimeTruthRow measure(const FeedConfig& feed, const Events& truth) const;
+  const Events& unfilteredTruth(const RefinementSettings& refinement);
   FeedConfig framesOf(double per_window) const;
 
   const TimeTruthSetup& setup_;
   TilePool& pool_;
   Events truth_;
+  std::optional<Events> unfiltered_;  // of fine frames of a refined feed, once they are asked for
   TimeTruthRow reference_;
 };
 
