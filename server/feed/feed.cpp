@@ -139,7 +139,7 @@ void Feed::render(TimeNs t, const PoolHandle& pool) {
   const SeedPlan seeds = seeds_(config_.seed, frame.index, config_.spp);
   SurfaceMethod* method = method_->onSurfaces();
   if (!method) {
-    auto* rounds = dynamic_cast<RoundMethod*>(method_.get());
+    RoundMethod* rounds = method_->inRounds();
     times_[Stage::kTrace] +=
         rounds ? renderRounds(settingsOf(config_, scene()), view, seeds, *rounds, pool, frame)
                : renderer_.render(view, seeds, pool, frame);

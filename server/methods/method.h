@@ -35,12 +35,15 @@ struct ParamSpec {
 using ParamValues = std::map<std::string, double>;
 
 class SurfaceMethod;
+class RoundMethod;
 
 class Method {
  public:
   virtual ~Method() = default;
   // Not nullptr: its frames have SurfaceSamples.
   virtual SurfaceMethod* onSurfaces() { return nullptr; }
+  // Not nullptr: it says round by round which pixels get more paths. See round_method.h.
+  virtual RoundMethod* inRounds() { return nullptr; }
   // Takes the first frame of a feed, which has no difference yet. Called once, before estimate().
   virtual void start(const Frame& first, const PoolHandle& pool) = 0;
   // Fills `out`, which has the size of the frames, but for t0, t1 and frame. Called from the second frame on.

@@ -8,6 +8,7 @@ namespace saccade {
 // Its paths are those of SeedPlan::independent, and all are in pass 2.
 class RoundMethod : public Method {
  public:
+  RoundMethod* inRounds() final { return this; }
   // Marks the pixels that get more paths of this frame, and returns how many each gets; 0: the frame is done.
   // `spp`: the most of a pixel, over all rounds. Called before each round.
   virtual int nextRound(int spp, const PoolHandle& pool) = 0;
