@@ -54,7 +54,8 @@ TEST(Figure7, WritesCurvesSpectraAndReconstructions) {
   ASSERT_EQ(figure("7 cornell-box --size 16x16 --frames 1:4 --methods svgf --thresholds 0.2", folder), 0)
       << textOf(folder.at("log"));
   const std::string time = textOf(folder.at("out/figure7_cornell-box_time.csv"));
-  EXPECT_EQ(time.substr(0, time.find('\n')), "seconds,truth,svgf direct,svgf complementary,svgf kalman");
+  EXPECT_EQ(time.substr(0, time.find('\n')),
+            "seconds,truth,svgf direct,svgf complementary,svgf kalman,svgf screened Poisson");
   EXPECT_EQ(linesOf(time), 1 + 5);  // L_0 to L_4
   EXPECT_EQ(linesOf(textOf(folder.at("out/figure7_cornell-box_spectrum.csv"))), 1 + 2);
   EXPECT_EQ(linesOf(textOf(folder.at("out/figure7.csv"))), 2 + 6);

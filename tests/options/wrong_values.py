@@ -21,7 +21,7 @@ TEXTS = {
     "--control": ENDPOINTS, "--secret-key": KEYS, "--server-key": KEYS, "scene": NAMES, "--output": ["a.xyz", *FILES[:2]],
     "--format": ["nosuch", "evt3"], "--preview": ["a.jpg", "$NONE/a.png"], "--truth": ["nosuch", "depth:0", "depth:-1",
                                                                                        "depth:x", ":3"],
-    "--model": NAMES, "--reconstruction": NAMES, "--preset": NAMES, "--delivery": NAMES, "--clock": NAMES,
+    "--model": NAMES, "--start-level": NAMES, "--reconstruction": NAMES, "--preset": NAMES, "--delivery": NAMES, "--clock": NAMES,
     "--codec": NAMES, "--topic": NAMES, "--method": NAMES, "--disable": NAMES, "--transfer": NAMES, "--size": SIZES,
     "--columns": ["nosuch", "t,x,y", "t,x,y,y", "t,,y,p"], "--unit": ["min", "S", "1"],
     "--noise": ["leak_hz", "leak_hz=much", "leak_hz=-1", "leak_hz=nan", "nosuch=1"],
@@ -37,6 +37,7 @@ TEXTS = {
     "--listen": ["nosuch", "127.0.0.1", "127.0.0.1:99999", "127.0.0.1:x"], "frames": ["$NONE", "$FOLDER"],
     "recording": KEYS, "input": ["$NONE.csv", "$FILE", "$FOLDER"], "output": ["a.xyz", *FILES[:2]],
     "file": ["$NONE.csv", "$FILE", "$FOLDER"], "name": ["$NONE/name"],
+    "A": ["$NONE.csv", "$FILE", "$FOLDER"], "B": ["$NONE.csv", "$FILE", "$FOLDER"],
     # of saccade-eval
     "scenes": NAMES, "dump": ["$NONE", "$FILE"], "reference": ["$NONE", "$FILE"], "picture": ["$NONE", "$FOLDER", "$FILE"],
     "--dump": NEW_FOLDERS, "--cache": NEW_FOLDERS, "--frames": RANGES, "--methods": METHODS, "--metrics": NAMES,

@@ -9,6 +9,7 @@
 #include "base/default_cache.h"
 #include "base/new_folder.h"
 #include "base/number_in.h"
+#include "eval/bench/arguments.h"
 #include "eval/bench/feed_options.h"
 #include "eval/bench/interrupt.h"
 #include "eval/bench/kept_bake.h"
@@ -83,6 +84,7 @@ void measure(const TimesOptions& o, const TimeTruthSetup& setup, TilePool& pool)
 }
 
 void runTimes(TimesOptions& o) {
+  if (!o.output.empty()) checkOutputFile(o.output, {".svg"});
   o.feed.params = parseMethod(o.feed.method).params;
   auto [scene, path] = open(o);
   TilePool pool(o.threads);
@@ -133,7 +135,7 @@ void addTimesCommand(CLI::App& app) {
   c->add_option("--cache", o->cache, "folder for bakes")
       ->check(CLI::Validator(newFolderFault, ""))
       ->capture_default_str();
-  c->add_option("-o,--output", o->output, "an SVG file: a chart of error against CPU time");
+  c->add_option("-o,--output", o->output, "SVG picture: a chart of error against CPU time");
   c->callback([o] {
     o->sensor.threshold_off = o->sensor.threshold;
     o->sensor.seed = o->feed.seed;
