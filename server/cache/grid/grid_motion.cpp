@@ -42,8 +42,8 @@ SurfaceGrid::Time SurfaceGrid::moveOn(const FrameOnGrid& frame, const ImageF& ch
         for (const std::uint32_t v : at.taps[slot][t].vertex) {
           const MeanStep step = std::exchange(level.steps[v], {});
           if (step.weight == 0) continue;
-          float& residual = level.light[v][1];
-          residual = std::max(std::min(residual, 0.f), residual + level.light[v][0] * step.sum / step.weight);
+          Quad& light = level.light[v];
+          light[1] = std::max(std::min(light[1], 0.f), light[1] + light[0] * step.sum / step.weight);
         }
     });
   });
