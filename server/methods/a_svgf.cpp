@@ -16,16 +16,15 @@ const std::vector<ParamField<P>>& fields() {
 }  // namespace
 
 MethodInfo ASvgf::info() {
-  return {"a_svgf", "A-SVGF: as svgf, and forgets its history where the same paths find other light",
-          paramSpecs(fields()),
-          [](const ParamValues& values) -> SeedPlanner {
-            if (makeParams(fields(), values).independent_numbers)
-              return SeedPlan::byChance<SeedPlan::correlatedAlongMotion>;
-            return SeedPlan::correlatedAlongMotion;
-          },
-          [](const MethodSetup& setup) -> std::unique_ptr<Method> {
-            return std::make_unique<ASvgf>(makeParams(fields(), setup.params), setup.width, setup.height);
-          }};
+  return {
+      "a_svgf", "A-SVGF: as svgf, and forgets its history where the same paths find other light",
+      paramSpecs(fields()),
+      [](const ParamValues& values) -> SeedPlanner {
+        return seedsWith<SeedPlan::correlatedAlongMotion>(makeParams(fields(), values).independent_numbers);
+      },
+      [](const MethodSetup& setup) -> std::unique_ptr<Method> {
+        return std::make_unique<ASvgf>(makeParams(fields(), setup.params), setup.width, setup.height);
+      }};
 }
 
 void ASvgf::estimate(const FramePair& frames, const PoolHandle& pool, IntensityChange& out,

@@ -85,7 +85,7 @@ float AdaptiveDenoising::brightness(const FramePair& frames, int x, int y) {
   const GBuffer &g = frames.cur.g, &before = frames.prev.g;
   Kept& kept = keptAt(x, y);
   // World positions are not known. The motion vector tells where the surface of now was in the frame before.
-  // So it tells how far that is from the surface of then [ours].
+  // The difference of both places is the change of position [ours].
   const auto then = placeAt(before, static_cast<float>(x), static_cast<float>(y), before.z.at(x, y));
   const auto now = placeAt(before, static_cast<float>(x) + g.motion_x.at(x, y),
                            static_cast<float>(y) + g.motion_y.at(x, y), g.z_in_prev.at(x, y));

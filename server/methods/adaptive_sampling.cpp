@@ -35,9 +35,7 @@ MethodInfo AdaptiveSampling::info() {
           "path tracing that stops at a pixel once a t-test decides its event; --spp is the most it may take",
           paramSpecs(fields()),
           [](const ParamValues& values) -> SeedPlanner {
-            return makeParams(fields(), values).independent_numbers
-                       ? SeedPlan::byChance<SeedPlan::independent>
-                       : SeedPlan::independent;
+            return seedsWith<SeedPlan::independent>(makeParams(fields(), values).independent_numbers);
           },
           [](const MethodSetup& setup) -> std::unique_ptr<Method> {
             return std::make_unique<AdaptiveSampling>(makeParams(fields(), setup.params), setup.width,

@@ -36,13 +36,9 @@ Demodulation demodulation(const P& params) {
 
 // The pass that shares its numbers with the frame before, and its companion.
 SeedPlanner seedsOf(const P& p) {
-  if (!p.correlated)
-    return p.independent_numbers ? SeedPlan::byChance<SeedPlan::independentPairs>
-                                 : SeedPlan::independentPairs;
-  if (p.motion_aligned)
-    return p.independent_numbers ? SeedPlan::byChance<SeedPlan::correlatedAlongMotion>
-                                 : SeedPlan::correlatedAlongMotion;
-  return p.independent_numbers ? SeedPlan::byChance<SeedPlan::correlated> : SeedPlan::correlated;
+  if (!p.correlated) return seedsWith<SeedPlan::independentPairs>(p.independent_numbers);
+  if (p.motion_aligned) return seedsWith<SeedPlan::correlatedAlongMotion>(p.independent_numbers);
+  return seedsWith<SeedPlan::correlated>(p.independent_numbers);
 }
 
 // Whether the filter of the difference heeds the pixel's own surface of the frame before. The surface that

@@ -28,6 +28,12 @@ ParamField<Params> independentNumbersField(Member member) {
           "[ours] less noise; paper: 1"};
 }
 
+// The passes of kPlan, a maker of SeedPlan, with the numbers that this switch asks for.
+template <SeedPlan (*kPlan)(std::uint64_t, FrameIndex, int)>
+SeedPlanner seedsWith(bool independent_numbers) {
+  return independent_numbers ? SeedPlan::byChance<kPlan> : kPlan;
+}
+
 template <class Params>
 std::vector<ParamSpec> paramSpecs(const std::vector<ParamField<Params>>& fields) {
   std::vector<ParamSpec> specs;

@@ -16,8 +16,7 @@ const std::vector<ParamField<CorrelatedParams>>& fields() {
 }
 
 SeedPlanner correlatedSeeds(const ParamValues& values) {
-  return makeParams(fields(), values).independent_numbers ? SeedPlan::byChance<SeedPlan::correlated>
-                                                          : SeedPlan::correlated;
+  return seedsWith<SeedPlan::correlated>(makeParams(fields(), values).independent_numbers);
 }
 
 }  // namespace

@@ -46,8 +46,7 @@ MethodInfo Relax::info() {
       "relax", "RELAX on the difference: a fast history clamps a slow one, no fireflies, a small kernel",
       paramSpecs(fields()),
       [](const ParamValues& values) -> SeedPlanner {
-        return makeParams(fields(), values).independent_numbers ? SeedPlan::byChance<SeedPlan::correlated>
-                                                                : SeedPlan::correlated;
+        return seedsWith<SeedPlan::correlated>(makeParams(fields(), values).independent_numbers);
       },
       [](const MethodSetup& setup) -> std::unique_ptr<Method> {
         return std::make_unique<Relax>(makeParams(fields(), setup.params), setup.width, setup.height);

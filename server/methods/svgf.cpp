@@ -48,9 +48,7 @@ MethodInfo Svgf::info() {
   return {"svgf", "SVGF: fresh seeds, filters each frame by itself, then takes the difference",
           paramSpecs(fields()),
           [](const ParamValues& values) -> SeedPlanner {
-            if (makeParams(fields(), values).independent_numbers)
-              return SeedPlan::byChance<SeedPlan::independent>;
-            return SeedPlan::independent;
+            return seedsWith<SeedPlan::independent>(makeParams(fields(), values).independent_numbers);
           },
           [](const MethodSetup& setup) -> std::unique_ptr<Method> {
             return std::make_unique<Svgf>(makeParams(fields(), setup.params), setup.width, setup.height);
