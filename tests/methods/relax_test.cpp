@@ -3,41 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "filter/synthetic.h"
+#include <cmath>
+
 #include "methods/event_svgf.h"
+#include "methods/switched_wall.h"
 
 namespace saccade {
 namespace {
 
-constexpr int kW = 40, kH = 30;
+using namespace test;
 
-// A standing wall. From frame `off` on it is dark.
-struct Fixture : ::testing::Test {
-  Fixture() { test::makeWall(a), test::makeWall(b); }
-  void run(Method& method, int frames, int off) {
-    draw(a, 0, off);
-    method.start(a, pool);
-    Frame *prev = &a, *cur = &b;
-    for (int t = 1; t <= frames; ++t) {
-      draw(*cur, t, off);
-      method.estimate({*cur, *prev}, pool, change, times);
-      std::swap(cur, prev);
-    }
-  }
-  // Pass 1 has the numbers of the frame before.
-  void draw(Frame& frame, int t, int off) {
-    const float high = t < off ? 1.5f : 0, low = t < off ? 0.5f : 0;
-    frame.index = static_cast<FrameIndex>(t);
-    test::fillRandom(frame.samples.I1, static_cast<std::uint64_t>(t), low, high);
-    test::fillRandom(frame.samples.I2, static_cast<std::uint64_t>(t + 1), low, high);
-  }
-  TilePool pool{1};
-  Frame a{kW, kH}, b{kW, kH};
-  IntensityChange change{kW, kH};
-  StageTimes times;
-};
+class RelaxTest : public SwitchedWall {};
 
-TEST_F(Fixture, AStandingWallHasNoChange) {
+TEST_F(RelaxTest, AStandingWallHasNoChange) {
   Relax method({}, kW, kH);
   run(method, 8, 99);
   for (int y = 0; y < kH; ++y) {
@@ -50,7 +28,7 @@ TEST_F(Fixture, AStandingWallHasNoChange) {
 
 // A fast history of six frames keeps 5/6 of the light that was, and its spread allows a little more. One of
 // 30 frames alone keeps 29/30, and EventSVGF 9/10.
-TEST_F(Fixture, FollowsALampThatGoesOffFaster) {
+TEST_F(RelaxTest, FollowsALampThatGoesOffFaster) {
   Relax method({}, kW, kH), slow({.clamp = 1000}, kW, kH);
   EventSvgf event_svgf({}, kW, kH);
   run(slow, 32 + 2, 32);

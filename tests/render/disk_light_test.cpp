@@ -8,6 +8,7 @@
 
 #include "base/hash_rng.h"
 #include "render/bsdf/shading_frame.h"
+#include "render/lanes_of_light.h"
 #include "render/lights/lamp_points.h"
 #include "render/lights/lamps.h"
 #include "render/test_scenes.h"
@@ -153,24 +154,8 @@ TEST_F(DiskLamp, GivesTheLightOfItsMesh) {
 }
 
 TEST_F(DiskLamp, IsTheSameForManyPoints) {
-  const AnalyticLight light(scene);
-  const EmitterStrengths strengths(scene);
-  LaneVectors point, normal, geometric_normal, together;
-  int lit = 0;
-  for (int i = 0; i < kLaneVectors; ++i) {
-    const auto k = static_cast<float>(i);
-    const Vec3 n = normalize(Vec3{std::cos(0.7f * k), std::sin(0.7f * k), 0.5f});
-    point.set(i, {std::cos(k), std::sin(0.7f * k), 0.08f * k - 0.5f}), normal.set(i, n);
-    geometric_normal.set(i, i % 3 == 0 ? n : normalize(n + Vec3{0.2f, 0, 0}));
-  }
-  const LitPoints points{point, normal, geometric_normal};
-  light.at(points, {0x7fff}, strengths, together);
-  for (int i = 0; i < kLaneVectors - 1; ++i) {
-    const float one = luminance(light.at(points.at(i), strengths));
-    EXPECT_NEAR(luminance(together.at(i)), one, 1e-5f * (1 + one)) << i;
-    lit += one > 0.02f;
-  }
-  EXPECT_GT(lit, 5);
+  test::expectTheSameInLanes(
+      scene, [](float i) { return std::cos(i); }, 0.02f, 5);
 }
 
 // Also where a wall sees the disk in part.
