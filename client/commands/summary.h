@@ -17,7 +17,7 @@ void printChoice(std::FILE* out, const v1::StreamOpened& opened);
 void printModel(std::FILE* out, const v1::StreamOpened& opened);
 // The objects that move; nothing where all stand.
 void printObjects(std::FILE* out, const v1::OpenStream& resolved);
-// And how often it is rendered, where intervals follow the motion.
+// How fast the picture moves, and how often it is rendered where intervals follow the motion.
 void printPixelSpeed(std::FILE* out, const v1::StreamOpened& opened);
 // On stderr: the picture moves by more than half a pixel per frame, or in an interval by far more than was
 // asked for. Tells the rate that would be enough.

@@ -47,8 +47,8 @@ std::chrono::nanoseconds TemporalGradient::estimate(const FramePair& frames, con
 }
 
 // The paper chooses a pixel of the frame before and projects it forward, so that both frames shade one point.
-// Here the pixel is of this frame, and the numbers come to it along its motion. The points of both frames lie
-// up to half a pixel apart. So light is demodulated, or texture would count as a change [ours].
+// This filter chooses a pixel of this frame, and the numbers come to it along its motion. The points of both
+// frames lie up to half a pixel apart. So light is demodulated, or texture would count as a change [ours].
 void TemporalGradient::sample(const FramePair& frames, int column, int row) {
   const Frame &now = frames.cur, &before = frames.prev;
   const GBuffer& g = now.g;

@@ -29,7 +29,7 @@ struct SeedPlan {
   static SeedPlan correlated(std::uint64_t stream_seed, FrameIndex t, int spp) {
     return {frameSeed(stream_seed, t - 1), frameSeed(stream_seed, t), spp / 2, spp / 2, t - 1, t};
   }
-  // The same, but each surface keeps the numbers that it had one frame ago (Schied et al. 2018).
+  // Correlated passes in which each surface keeps the numbers that it had one frame ago (Schied et al. 2018).
   static SeedPlan correlatedAlongMotion(std::uint64_t stream_seed, FrameIndex t, int spp) {
     SeedPlan plan = correlated(stream_seed, t, spp);
     plan.along_motion = true;

@@ -121,7 +121,7 @@ TEST(RateSpread, FramesOfAnyLengthGiveTheSameLeak) {
   EXPECT_NEAR(static_cast<double>(fine.size()), 0.297 * 30 * kPixels, 0.05 * 0.297 * 30 * kPixels);
 }
 
-// It adds to I: the response, and the light of shot noise, are those of a brighter scene.
+// Dark current adds to I: the response, and the light of shot noise, are those of a brighter scene.
 TEST(DarkCurrent, FlattensTheResponseBelowIt) {
   SensorConfig dark = with({.dark_luminance = 0.5}), bright = with({});
   dark.bias = 0.001, bright.bias = 0.501;

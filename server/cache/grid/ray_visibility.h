@@ -71,7 +71,8 @@ inline float shadowVariance(const Octet& evidence, float noise, float unoccluded
   return unoccluded * std::sqrt(variance) > kLeastShadowContrast * light ? variance : 0;
 }
 
-// The same variance for a level of the grid, by its light and its evidence for detail.
+// The variance of visibility that rays are to tell at a level of the grid, by its light and its evidence for
+// detail.
 inline float shadowVariance(const Quad& light, const Octet& evidence, float unoccluded,
                             const BlendParams& blend) {
   if (!(unoccluded > 0)) return 0;

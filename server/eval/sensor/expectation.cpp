@@ -63,7 +63,7 @@ Passages passagesOf(double drift, double variance, double on, double off, double
   return {1 / (time + refractory_s), on_share};
 }
 
-// Those of the level itself, on a still picture.
+// Events of a pixel whose level moves by leak and Brownian motion, on a still picture.
 Passages levelNoise(const SensorConfig& config, double I) {
   const NoiseConfig& noise = config.noise;
   const double light = std::max((I + noise.dark_luminance) / noise.reference_luminance, 1 / kMostBrownian);

@@ -16,8 +16,8 @@ class NumberRow {
   std::uint64_t key_, taken_ = 0;
 };
 
-// It begins at `v`, between the barriers -off and on. Over a time of 1 it moves by `drift` in the mean, with
-// this variance > 0.
+// A path begins at `v`, between the barriers -off and on. Over a time of 1 it moves by `drift` in the mean,
+// with this variance > 0.
 struct BrownianPath {
   double v, drift, variance;
 };

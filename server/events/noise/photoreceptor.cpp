@@ -41,7 +41,8 @@ float respond(const auto& poles, float share, float I, float dL, float& lag, flo
   return out;
 }
 
-// The same with an asymmetry. The follower sees a straight line from one end of the piece to the other.
+// The response of poles with an asymmetry. The follower sees a straight line from one end of the piece to the
+// other.
 float respondAsymmetrically(const auto& poles, float share, float I, float dL, float& lag, float* follower) {
   const float before = lag;
   lag = settle(static_cast<float>(asymmetricLag(poles.asymmetry, rateOf(poles, share, I), dL, before)));
