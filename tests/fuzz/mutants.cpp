@@ -41,7 +41,7 @@ void changeBytes(std::string& bytes, const std::string& token, const std::string
 
 std::vector<std::string> readCorpus() {
   std::set<std::filesystem::path> paths;
-  for (const auto& file : std::filesystem::directory_iterator(SACCADE_CORPUS)) paths.insert(file.path());
+  for (const auto& file : std::filesystem::directory_iterator(corpusFolder())) paths.insert(file.path());
   std::vector<std::string> corpus;
   for (const auto& path : paths) {
     std::ifstream file(path, std::ios::binary);

@@ -9,7 +9,10 @@
 
 namespace saccade {
 
-// The files of tests/fuzz/corpus/<name of the target>, in the order of their names.
+// tests/fuzz/corpus/<name of the target>.
+const char* corpusFolder();
+
+// The files of corpusFolder(), in the order of their names.
 std::vector<std::string> readCorpus();
 
 // One to four changes of one of `originals`.

@@ -97,7 +97,7 @@ std::string label(std::string text) {
   return first == text.npos ? "" : text.substr(first, text.find_last_not_of('-') - first + 1);
 }
 
-std::string listed(const std::vector<std::string>& words) {
+std::string literals(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) {
     checkPlain(word, "an option of run");
@@ -136,7 +136,7 @@ Values placeOf(const DataSet& set, const KubernetesOptions& options) {
   }
   checkObjectName(options.claim, "--claim");
   const Values shards{{"SHARDS", std::to_string(set.plan().shards())},
-                      {"RENDER", listed(options.engine.render)}};
+                      {"RENDER", literals(options.engine.render)}};
   return {{"INIT", ""},
           {"COMMAND", filled(kCommand, shards)},
           {"MOUNTS", filled(kMounts, {{"SUB_PATH", subPath(set, options)}})},

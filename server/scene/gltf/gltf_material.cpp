@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/single.h"
 #include "scene/files/limits.h"
 
 namespace saccade {
@@ -13,10 +14,6 @@ constexpr const char* kIor = "KHR_materials_ior";
 constexpr const char* kSpecular = "KHR_materials_specular";
 constexpr const char* kTransmission = "KHR_materials_transmission";
 constexpr const char* kVolume = "KHR_materials_volume";
-
-float single(double v) {
-  return static_cast<float>(v);
-}
 
 // A factor within [0, 1].
 float share(const JsonNode& of, const char* key, double fallback) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/single.h"
 #include "base/text_cut.h"
 #include "scene/gltf/gltf_uri.h"
 
@@ -23,10 +24,6 @@ Texture::Wrap wrapOf(const JsonNode& sampler, const char* key) {
     default:
       throw sampler.error(std::string(key) + " is not 10497, 33648 or 33071");
   }
-}
-
-float single(double v) {
-  return static_cast<float>(v);
 }
 
 PixelUse pixelUse(PictureUse::Kind kind) {

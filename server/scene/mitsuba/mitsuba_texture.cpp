@@ -1,14 +1,11 @@
 #include "scene/mitsuba/mitsuba_texture.h"
 
+#include "base/single.h"
 #include "scene/files/picture.h"
 #include "scene/mitsuba/mitsuba_transform.h"
 
 namespace saccade {
 namespace {
-
-float single(double v) {
-  return static_cast<float>(v);
-}
 
 // Reads to_uv, of scale and translate, or the uscale and the like of Mitsuba 0.6.
 void readUvMap(const XmlFile& file, Properties& properties, SurfaceColor& c) {
