@@ -29,8 +29,11 @@ Common parseCommon(const XmlFile& file, pugi::xml_node shape, Properties& proper
   const pugi::xml_node emitter = properties.object("emitter"), bsdf = properties.object("bsdf");
   Affine placement = parseTransform(file, properties.object("transform", "to_world"));
   placement.translation = placement.translation - origin;
-  return {shape.attribute("id").value(), placement, !!bsdf, materials.read(bsdf),
-          emitter ? parseEmitter(file, emitter) : Emission{}};
+  Common common{shape.attribute("id").value(), placement, !!bsdf, materials.read(bsdf), {}};
+  if (emitter) common.emission = parseEmitter(file, emitter, materials.textures());
+  if (isTextured(common.emission.picture))
+    common.material = materials.addEmitting(common.material, common.emission.picture);
+  return common;
 }
 
 // A mesh in a file.
@@ -129,9 +132,10 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
                            common.emission.radiance, common.emission.strength});
 }
 
-// Whether a sphere faces inwards: it is then a mesh.
-bool isTurned(const XmlFile& file, pugi::xml_node shape) {
-  return Properties(file, shape).flag("flip_normals", false);
+// Whether a sphere is a mesh: it faces inwards, or emits a picture.
+bool needsMesh(const XmlFile& file, pugi::xml_node sphere) {
+  return Properties(file, sphere).flag("flip_normals", false) ||
+         hasTexture(file, Properties(file, sphere).object("emitter"));
 }
 
 }  // namespace
@@ -140,7 +144,7 @@ void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materi
                Scene& scene) {
   const std::string type = supportedType(
       file, shape, {"obj", "ply", "serialized", "rectangle", "cube", "disk", "cylinder", "sphere"});
-  if (type == "sphere" && !isTurned(file, shape)) {
+  if (type == "sphere" && !needsMesh(file, shape)) {
     readSphere(file, shape, materials, scene);
   } else {
     readMesh(file, shape, type, materials, loads, scene);
