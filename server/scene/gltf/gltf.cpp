@@ -5,8 +5,8 @@
 #include <set>
 
 #include "base/text_cut.h"
+#include "scene/default_view.h"
 #include "scene/gltf/gltf_cameras.h"
-#include "scene/gltf/gltf_defaults.h"
 #include "scene/gltf/gltf_extensions.h"
 #include "scene/gltf/gltf_lights.h"
 #include "scene/gltf/gltf_meshes.h"
