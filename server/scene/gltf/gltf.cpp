@@ -152,6 +152,10 @@ Scene loadGltf(const std::string& path, const LoadOptions& options) {
   return loadAtOrigin([&](Vec3d origin) { return loadAt(file, buffers, options, origin); });
 }
 
+std::vector<std::string> animationsOfGltf(const std::string& path, const LoadOptions& options) {
+  return animationNames(GltfFile(path, options).root());
+}
+
 Scene outlineGltf(const std::string& path, const LoadOptions& options) {
   const GltfFile file(path, options);
   Scene scene;

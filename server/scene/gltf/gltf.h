@@ -29,5 +29,8 @@ namespace saccade {
 Scene loadGltf(const std::string& path, const LoadOptions& options);
 // The same without reading any buffer or picture: meshes have names alone. Throws SceneError.
 Scene outlineGltf(const std::string& path, const LoadOptions& options);
+// The names of the animations of a file, in its order; "animation 2" for the third one if it has no name.
+// Throws SceneError.
+std::vector<std::string> animationsOfGltf(const std::string& path, const LoadOptions& options);
 
 }  // namespace saccade
