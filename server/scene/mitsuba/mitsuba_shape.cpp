@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "scene/files/limits.h"
+#include "scene/mesh/creases.h"
 #include "scene/mesh/mesh.h"
 #include "scene/mesh/mesh_io.h"
 #include "scene/mitsuba/mitsuba_emitter.h"
@@ -62,6 +63,18 @@ Mesh loadMeshFile(const std::string& type, const MeshFile& file) {
   return mesh;
 }
 
+// The angle in degrees at which faces have a crease between them; none: the normals are those of the file.
+std::optional<double> readCrease(const XmlFile& file, pugi::xml_node shape, bool face_normals,
+                                 Properties& properties) {
+  constexpr double kNone = -1;
+  const double degrees = properties.number("max_smooth_angle", kNone);
+  if (degrees == kNone) return {};
+  if (!(degrees >= 0 && degrees <= 180))
+    throw file.error(shape, "the max_smooth_angle must be within [0, 180] degrees");
+  if (face_normals) throw file.error(shape, "there is no max_smooth_angle beside face_normals");
+  return degrees;
+}
+
 Mesh makeMesh(const std::string& type) {
   if (isRound(type)) return makeRound(type);
   return type == "rectangle" ? makeRectangle() : type == "cube" ? makeCube() : makeDisk();
@@ -87,6 +100,7 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   const bool is_file = type == "obj" || type == "ply" || type == "serialized";
   const MeshFile mesh_file = is_file ? readMeshFile(file, shape, type, properties) : MeshFile{};
   const bool face_normals = is_file ? properties.flag("face_normals", false) : !isRound(type);
+  const auto crease = is_file ? readCrease(file, shape, face_normals, properties) : std::optional<double>();
   const bool flip_normals = properties.flag("flip_normals", false);
   properties.finish();
   const std::size_t index = scene.meshes.size();
@@ -94,6 +108,7 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   scene.meshes.emplace_back().name = name;
   loads.add(file.errorsAt(shape), [=, &meshes = scene.meshes] {
     Mesh mesh = is_file ? loadMeshFile(type, mesh_file) : makeMesh(type);
+    if (crease) splitAtCreases(mesh, common.placement, *crease);
     placeMesh(mesh, common.placement, face_normals);
     if (flip_normals) turnRound(mesh);
     if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");
