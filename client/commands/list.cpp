@@ -20,15 +20,20 @@ void printObjects(const v1::SceneInfo& scene) {
   print("\n");
 }
 
+void printNames(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
+  if (names.empty()) return;
+  print("  %s:", what);
+  for (const std::string& name : names) print(" %s", name.c_str());
+  print("\n");
+}
+
 void printScene(const v1::SceneInfo& scene) {
   print("%s  %s\n", scene.name().c_str(), scene.description().c_str());
   if (!scene.unavailable().empty()) print("  cannot be opened here: %s\n", scene.unavailable().c_str());
   if (!scene.stats().empty()) print("  %s\n", scene.stats().c_str());
   printObjects(scene);
-  if (scene.trajectories().empty()) return;
-  print("  trajectories:");
-  for (const std::string& name : scene.trajectories()) print(" %s", name.c_str());
-  print("\n");
+  printNames("animations", scene.animations());
+  printNames("trajectories", scene.trajectories());
 }
 
 struct ListOptions {
@@ -52,8 +57,8 @@ void runList(const ListOptions& options) {
 }  // namespace
 
 void addListCommand(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("list", "print the scenes of the server, and the trajectories and objects of each");
+  CLI::App* command = app.add_subcommand(
+      "list", "print the scenes of the server, and the trajectories, objects and animations of each");
   const auto options = std::make_shared<ListOptions>();
   addServerOptions(*command, options->server);
   addJsonOption(*command, options->json);

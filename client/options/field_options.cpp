@@ -18,6 +18,7 @@ constexpr struct {
                 {"trajectory.motion.clearance", "--clearance"},
                 {"trajectory", "--trajectory"},
                 {"objects", "--object"},
+                {"animation", "--animation"},
                 {"timing.frame_rate_hz", "--rate"},
                 {"timing.interval_px", "--interval-px"},
                 {"timing.max_rate_hz", "--max-rate"},

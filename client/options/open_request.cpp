@@ -68,6 +68,7 @@ v1::Timing makeTiming(const RequestOptions& options) {
 v1::OpenStream makeOpenStream(const RequestOptions& options) {
   v1::OpenStream open;
   open.set_scene(options.scene);
+  open.set_animation(options.animation);
   *open.mutable_trajectory() = makeTrajectory(options);
   addObjects(options.objects, open);
   *open.mutable_timing() = makeTiming(options);

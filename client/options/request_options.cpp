@@ -52,6 +52,10 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
               enumWords<v1::ObjectMotionKind>() +
               ", or a .csv or .txt file of poses as for --trajectory; may be given again")
       ->allow_extra_args(false);
+  command.add_option(
+      "--animation", o.animation,
+      "the animation of a glTF scene that plays alone, by its name in saccade list; by default "
+      "that of motion.toml, else all that do not move the same");
 }
 
 // Of a command whose options have one, else that of openTiming().

@@ -28,6 +28,7 @@ struct RequestOptions {
   std::optional<std::uint64_t> motion_seed;
   std::optional<double> clearance;
   std::vector<std::string> objects;  // NAME=KIND:SPEED, or NAME=FILE
+  std::string animation;             // empty: the server's choice
   RigOptions rig;
   std::optional<std::string> start;  // "X,Y,Z" or "X,Y,Z,QX,QY,QZ,QW": T_world_camera
   SensorOptions sensors;

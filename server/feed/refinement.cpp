@@ -13,6 +13,7 @@ namespace {
 // that is off the line by less than kOffLine of it ends the search.
 constexpr double kRange = 1, kOffLine = 0.03;
 constexpr int kBeside = 1;  // pixels beyond the motion that count: without them 15 % more error
+constexpr float kMostMotion = kMostReach - kBeside;
 
 }  // namespace
 
@@ -48,7 +49,8 @@ void Refinement::steer(const FeedKeys& keys) {
 std::chrono::nanoseconds Refinement::refine(const Interval& interval, const PoolHandle& pool,
                                             IntensityChange& change) {
   auto time = measureMotion(interval.frames, pool);
-  const float fastest = std::max(*std::ranges::max_element(motion_px_), interval.reach_px);
+  const float fastest =
+      std::min(kMostMotion, std::max(*std::ranges::max_element(motion_px_), interval.reach_px));
   // Shadows of bodies move over surfaces that stand.
   if (interval.motion.moved.any()) std::ranges::fill(motion_px_, fastest);
   const int levels = levelsFor(fastest);
@@ -81,7 +83,6 @@ std::chrono::nanoseconds Refinement::refine(const Interval& interval, const Pool
 }
 
 std::chrono::nanoseconds Refinement::measureMotion(const FramePair& frames, const PoolHandle& pool) {
-  constexpr float kMost = kMostReach - kBeside;
   const GBuffer& g = frames.cur.g;
   return pool.run(down_, [&](int j) {
     for (int i = 0; i < across_; ++i) {
@@ -91,7 +92,7 @@ std::chrono::nanoseconds Refinement::measureMotion(const FramePair& frames, cons
           const float mx = g.motion_x.at(x, y), my = g.motion_y.at(x, y);
           most2 = std::max(most2, mx * mx + my * my);
         }
-      motion_px_[static_cast<std::size_t>(j * across_ + i)] = std::min(kMost, std::sqrt(most2));
+      motion_px_[static_cast<std::size_t>(j * across_ + i)] = std::min(kMostMotion, std::sqrt(most2));
     }
   });
 }

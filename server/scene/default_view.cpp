@@ -19,15 +19,6 @@ std::array<Vec3d, 8> cornersOf(Vec3d low, Vec3d high) {
   return all;
 }
 
-}  // namespace
-
-bool isLit(const Scene& scene) {
-  const auto emit = [](const auto& shape) { return emits(shape); };
-  return scene.environment || !scene.point_lights.empty() || !scene.spot_lights.empty() ||
-         !scene.directional_lights.empty() || std::ranges::any_of(scene.meshes, emit) ||
-         std::ranges::any_of(scene.spheres, emit);
-}
-
 void addDefaultCamera(Scene& scene) {
   scene.width = 640, scene.height = 480, scene.fov_x_deg = 45;
   ShapeBox box = boxOf(scene);
@@ -53,6 +44,20 @@ void addDefaultLight(Scene& scene) {
   scene.directional_lights.push_back({normalize(Vec3{0.5f, -1, -1}), {3, 3, 3}});
   scene.unread.push_back(
       "the file has no light: it has default ones, from all sides and from the upper left");
+}
+
+}  // namespace
+
+bool isLit(const Scene& scene) {
+  const auto emit = [](const auto& shape) { return emits(shape); };
+  return scene.environment || !scene.point_lights.empty() || !scene.spot_lights.empty() ||
+         !scene.directional_lights.empty() || std::ranges::any_of(scene.meshes, emit) ||
+         std::ranges::any_of(scene.spheres, emit);
+}
+
+void addDefaults(Scene& scene) {
+  if (scene.paths.empty()) addDefaultCamera(scene);
+  if (!isLit(scene)) addDefaultLight(scene);
 }
 
 }  // namespace saccade

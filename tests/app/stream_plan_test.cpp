@@ -119,5 +119,69 @@ TEST(StreamPlanOfGltf, TakesItsCamerasAndItsMotions) {
   }
 }
 
+// Walk goes by 1 in a second, and Run by 5.
+struct AnimatedScene : testing::Test {
+  AnimatedScene() {
+    test::GltfArrays arrays = test::triangle();
+    arrays.floats({0, 1}, "SCALAR");
+    arrays.floats({0, 0, 0, 1, 0, 0}, "VEC3"), arrays.floats({0, 0, 0, 5, 0, 0}, "VEC3");
+    const auto animation = [](const std::string& name, const std::string& values) {
+      return R"({"name":")" + name +
+             R"(","channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],)" +
+             R"("samplers":[{"input":1,"output":)" + values + "}]}";
+    };
+    files.write("mine/data.bin", arrays.bytes());
+    files.write("mine/scene.gltf", test::gltf({test::kTriangleMesh, test::kTriangleNode, arrays.json(),
+                                               R"("animations":[)" + animation("Walk", "2") + "," +
+                                                   animation("Run", "3") + "]"}));
+  }
+  StreamPlan plan(const std::string& animation) {
+    v1::OpenStream r = request();
+    r.set_scene("mine"), r.set_animation(animation);
+    StreamPlan of = planStream(r, scenes.library(), tables, {});
+    loadScenes(of, scenes, {});
+    return of;
+  }
+
+  const Scratch files;
+  SceneCache scenes{files.path("")};
+  const MeasuredTables tables{openAccuracySource(""), openSimplificationSource("")};
+};
+
+TEST_F(AnimatedScene, PlaysTheOneThatTheStreamChooses) {
+  const StreamPlan walk = plan("Walk"), run = plan("Run"), any = plan("");
+  const auto at1s = [](const StreamPlan& of) {
+    return of.resolved.feed.body_paths.at(0).at(TimeNs{1'000'000'000}).position.x -
+           of.resolved.feed.body_paths.at(0).at(TimeNs{0}).position.x;
+  };
+  EXPECT_NEAR(at1s(walk), 1, 1e-6);
+  EXPECT_NEAR(at1s(run), 5, 1e-6);
+  EXPECT_NEAR(at1s(any), 1, 1e-6);
+  EXPECT_NE(walk.scene, run.scene);
+  EXPECT_EQ(plan("Run").scene, run.scene);
+  EXPECT_NE(walk.resolved.feedKey(), run.resolved.feedKey());
+}
+
+TEST_F(AnimatedScene, TellsTheNamesThereAre) {
+  EXPECT_EQ(scenes.library().list().at(0).animations, (std::vector<std::string>{"Walk", "Run"}));
+  try {
+    plan("Jump");
+    FAIL() << "there is no animation Jump";
+  } catch (const Refusal& refusal) {
+    EXPECT_EQ(refusal.code, v1::CODE_NOT_FOUND);
+    EXPECT_EQ(refusal.field, "animation");
+    expectContains(refusal.what(), "no animation 'Jump'; it has: Walk, Run");
+  }
+  EXPECT_TRUE(scenes.note("mine").failure.empty());
+  v1::OpenStream r = request();
+  r.set_animation("Run");
+  try {
+    planStream(r, SceneLibrary(std::string(SACCADE_SOURCE_DIR) + "/scenes"), tables, {});
+    FAIL() << "cornell-box has no animation";
+  } catch (const Refusal& refusal) {
+    expectContains(refusal.what(), "no animation 'Run'; it has none: only scenes of glTF do");
+  }
+}
+
 }  // namespace
 }  // namespace saccade

@@ -14,6 +14,7 @@ TEST(FieldOptions, AFieldHasTheOptionThatFillsItIn) {
   EXPECT_EQ(optionOf("trajectory.motion.clearance"), "--clearance");
   EXPECT_EQ(optionOf("trajectory.name"), "--trajectory");
   EXPECT_EQ(optionOf("objects[1].path.motion.speed"), "--object");
+  EXPECT_EQ(optionOf("animation"), "--animation");
   EXPECT_EQ(optionOf("method.params[\"alpha\"]"), "--set");
   EXPECT_EQ(optionOf("view.distortion.coefficients[0]"), "--distortion");
   EXPECT_EQ(optionOf("view.width"), "--size");

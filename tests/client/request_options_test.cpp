@@ -51,6 +51,11 @@ TEST(RequestOptions, AbsentOptionsAreLeftToTheServer) {
   EXPECT_FALSE(open.quality().has_bounces() || open.view().has_fov_x_deg());
 }
 
+TEST(RequestOptions, AnAnimationIsNamed) {
+  EXPECT_EQ(openStream("--animation Run").animation(), "Run");
+  EXPECT_EQ(openStream("").animation(), "");
+}
+
 TEST(RequestOptions, NoiseAndPresetAreThoseOfAllSensors) {
   const auto open =
       openStream("--threshold 0.2,0.4 --preset davis346 --noise leak_hz=0.5 --noise jitter_s=1e-5");

@@ -206,8 +206,8 @@ TEST_F(RefinementTest, StopsWhereATileHasNoRoom) {
   EXPECT_GT(change.updates.size(), 2u * kW * kH);
 }
 
-// A card moves before a wall that stands: its edge is refined, and with it the edge of its shadow.
-TEST_F(RefinementTest, BodiesThatMoveAreRefined) {
+// A lamp, a floor, and a card between them that moves.
+Scene floorUnderACard() {
   Scene s = test::floorFromAbove(0.5f);
   s.meshes.push_back(test::quad({-0.05f, -0.05f, 2}, {0, 0.1f, 0}, {0.1f, 0, 0}, 0, {900, 900, 900}));
   s.meshes.push_back(test::quad({0.1f, -0.2f, 0.6f}, {0.3f, 0, 0}, {0, 0.4f, 0}, 0));
@@ -216,12 +216,21 @@ TEST_F(RefinementTest, BodiesThatMoveAreRefined) {
   s.fov_x_deg = 60;
   const std::string names[]{"card"};
   setBodies(s, names);
+  return s;
+}
+// The card goes so far in ten intervals.
+Feed feedOfCard(const Scene& s, Vec3d way, PoolHandle pool) {
   FeedConfig c = config();
   c.camera = pinhole(60, kW, kH);
   const Vec3d start = toDouble(s.bodies[0].centre());
-  c.body_paths = {Trajectory({{0ms, {start, {}}}, {160ms, {start + Vec3d{-0.2, 0, 0}, {}}}})};
-  const auto moving = std::make_shared<RenderScene>(s);
-  Feed feed(moving, Trajectory({{0ms, s.T_world_camera}}), c, pool);
+  c.body_paths = {Trajectory({{0ms, {start, {}}}, {160ms, {start + way, {}}}})};
+  return Feed(std::make_shared<RenderScene>(s), Trajectory({{0ms, s.T_world_camera}}), c, pool);
+}
+
+// A card moves before a wall that stands: its edge is refined, and with it the edge of its shadow.
+TEST_F(RefinementTest, BodiesThatMoveAreRefined) {
+  const Scene s = floorUnderACard();
+  Feed feed = feedOfCard(s, {-0.2, 0, 0}, pool);
   for (int t = 0; t < 6; ++t) feed.step(pool);
   const IntensityChange& change = feed.change();
   int of_body = 0, of_floor = 0;
@@ -233,6 +242,16 @@ TEST_F(RefinementTest, BodiesThatMoveAreRefined) {
   }
   EXPECT_GT(of_body, 20);
   EXPECT_GT(of_floor, 20);
+}
+
+// Its shadow jumps by more pixels than a tile may look around.
+TEST_F(RefinementTest, ABodyMayMoveFurtherThanTilesLook) {
+  const Scene s = floorUnderACard();
+  for (const double way : {-20., -2000.}) {
+    Feed feed = feedOfCard(s, {way, 0, 0}, pool);
+    for (int t = 0; t < 3; ++t) feed.step(pool);
+    for (const IntensityUpdate& u : feed.change().updates) ASSERT_LT(u.pixel, unsigned{kW * kH}) << way;
+  }
 }
 
 TEST(RefinementFault, NamesWhatHasWholeFramesOnly) {

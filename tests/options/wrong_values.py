@@ -22,7 +22,7 @@ TEXTS = {
     "--format": ["nosuch", "evt3"], "--preview": ["a.jpg", "$NONE/a.png"], "--truth": ["nosuch", "depth:0", "depth:-1",
                                                                                        "depth:x", ":3"],
     "--model": NAMES, "--start-level": NAMES, "--reconstruction": NAMES, "--preset": NAMES, "--delivery": NAMES, "--clock": NAMES,
-    "--codec": NAMES, "--topic": NAMES, "--method": NAMES, "--disable": NAMES, "--transfer": NAMES, "--size": SIZES,
+    "--codec": NAMES, "--topic": NAMES, "--method": NAMES, "--animation": NAMES, "--disable": NAMES, "--transfer": NAMES, "--size": SIZES,
     "--columns": ["nosuch", "t,x,y", "t,x,y,y", "t,,y,p"], "--unit": ["min", "S", "1"],
     "--noise": ["leak_hz", "leak_hz=much", "leak_hz=-1", "leak_hz=nan", "nosuch=1"],
     "--trajectory": ["nosuch", "pan", "pan:fast", "pan:nan", "pan:1e300", "fly:1", "$NONE.csv", "$FILE"],

@@ -162,6 +162,7 @@ TEST_F(Pushed, RefusesWhatOnlyASceneHas) {
        bad([](Open& r) { r.mutable_method()->set_spp(2); }, "method", "unset"),
        bad([](Open& r) { r.mutable_quality()->set_bounces(1); }, "quality", "unset"),
        bad([](Open& r) { r.add_further_views(); }, "further_views", "unset"),
+       bad([](Open& r) { r.set_animation("Run"); }, "animation", "unset"),
        bad([](Open& r) { r.mutable_view()->set_fov_x_deg(40); }, "view.fov_x_deg", "unset"),
        bad([](Open& r) { r.mutable_timing()->set_clock(v1::CLOCK_PACED); }, "timing.clock", "unset"),
        bad([](Open& r) { r.mutable_timing()->set_steerable(true); }, "timing.steerable", "unset"),

@@ -33,7 +33,7 @@ class Request(unittest.TestCase):
         made = make_request({**NEEDED, "motion": "shake:-3px", "turn_s": 0, "motion_seed": 9,
                              "start": (1, 2, 3, 0, 0.5, 0, 1), "duration_s": 2,
                              "interval_px": 0.5, "max_rate_hz": 2000, "finest_px": 0.1,
-                             "speed": 0.5, "fov_x_deg": 40, "clock": "paced", "delivery": "live", "codec": "zstd",
+                             "speed": 0.5, "fov_x_deg": 40, "animation": "Run", "clock": "paced", "delivery": "live", "codec": "zstd",
                              "seed": 5, "threshold": [0.1, 0.2], "threshold_off": 0.3, "bias": 1e-4,
                              "refractory_s": 1e-3, "cutoff_hz": 2, "model": "probabilistic",
                              "start_level": "zero", "reconstruction": "direct",
@@ -48,7 +48,7 @@ class Request(unittest.TestCase):
                       labels=True, object_ids=True, max_artefact_odds=0.3,
                       preset="davis346", noise=noise_pb2.Noise(leak_hz=0.5))
         self.assertEqual(made, c.OpenStream(
-            scene="room", view=c.View(width=6, height=4, fov_x_deg=40),
+            scene="room", animation="Run", view=c.View(width=6, height=4, fov_x_deg=40),
             trajectory=c.Trajectory(motion=c.Motion(
                 kind=c.MOTION_KIND_SHAKE, px_per_frame=-3, turn_s=0, seed=9, start=c.RigidTransform(
                     position=c.Vector3(x=1, y=2, z=3), rotation=c.Quaternion(y=0.5, w=1)))),

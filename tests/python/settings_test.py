@@ -29,7 +29,7 @@ WRONG = {
     **dict.fromkeys(("pushed", "steerable", "packet_per_frame", "until_path_ends", "labels", "object_ids",
                      "jitter", "monochrome"),
                     NO_FLAG),
-    **dict.fromkeys(("scene", "motion", "preset", "method"), NO_TEXT),
+    **dict.fromkeys(("scene", "animation", "motion", "preset", "method"), NO_TEXT),
     **dict.fromkeys(("clock", "delivery", "codec", "model", "start_level", "reconstruction"), [*NO_TEXT, "slow", "unspecified"]),
     "size": [60, (60,), (60.5, 45), "60x45", "60", None, (1, 2, 3), (-60, 45), (0, 5), (math.nan, 1), ("6", "4"), {}],
     "noise": [*NO_AMOUNTS, {"leak_hz": "1"}, {"leak_hz": math.nan}, {"leak_hz": None}],

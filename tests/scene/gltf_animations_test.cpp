@@ -28,8 +28,8 @@ class GltfAnimations : public testing::Test {
                              animation("Wave", 1, 2) + "]"});
   }
   // How far the object goes in a second; 0 where it has no motion.
-  double speedOf(const std::string& name) const {
-    const Scene scene = loadSceneFile(file_, {});
+  double speedOf(const std::string& name, const LoadOptions& options = {}) const {
+    const Scene scene = loadSceneFile(file_, options);
     const auto motion = std::ranges::find(scene.motions, name, &OwnMotion::name);
     return motion == scene.motions.end() ? 0
                                          : motion->path->at(1s).position.x - motion->path->at(0s).position.x;
@@ -54,8 +54,8 @@ TEST_F(GltfAnimations, PlayTogetherButForThoseThatMoveTheSame) {
   const std::vector<std::string> unread = outlineSceneFile(file_, {}).unread;
   EXPECT_EQ(
       std::ranges::count(unread,
-                         "the animation 'Run' does not play, as one before it moves the same; motion.toml "
-                         "may choose it"),
+                         "the animation 'Run' does not play, as one before it moves the same; --animation or "
+                         "motion.toml may choose it"),
       1);
 }
 
@@ -63,6 +63,21 @@ TEST_F(GltfAnimations, PlayAloneWhereMotionTomlChoosesOne) {
   files_.write("motion.toml", "animation = \"Run\"\n");
   EXPECT_NEAR(speedOf("it"), 5, 1e-6);
   EXPECT_EQ(speedOf("hand"), 0);
+}
+
+TEST_F(GltfAnimations, OfTheOptionsComesBeforeThatOfMotionToml) {
+  files_.write("motion.toml", "animation = \"Run\"\n");
+  EXPECT_EQ(formatOf(file_).animations(file_, {}), (std::vector<std::string>{"Walk", "Run", "Wave"}));
+  EXPECT_NEAR(speedOf("it", {.animation = "Walk"}), 1, 1e-6);
+  EXPECT_NEAR(speedOf("hand", {.animation = "Wave"}), 1, 1e-6);
+  EXPECT_EQ(speedOf("it", {.animation = "Wave"}), 0);
+  try {
+    outlineSceneFile(file_, {.animation = "Jump"});
+    FAIL();
+  } catch (const SceneError& fault) {
+    EXPECT_EQ(std::string(fault.what()),
+              file_ + ": the file has no animation 'Jump'; it has: Walk, Run, Wave");
+  }
 }
 
 TEST_F(GltfAnimations, ThatAreNotThereAreRefused) {

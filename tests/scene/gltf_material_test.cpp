@@ -279,10 +279,13 @@ TEST(GltfLights, OfBlenderAreRadiant) {
   EXPECT_NEAR(scene.point_lights.at(0).intensity.x, 50 / (4 * std::numbers::pi), 1e-5);
 }
 
-TEST(GltfDefaults, AreASkyAndACameraThatSeesAll) {
+// The light is that of a mesh alone, see model_scene_test.
+TEST(GltfDefaults, AreASkyASunAndACameraThatSeesAll) {
   const Scene scene = test::loadTriangle({test::kTriangleNode});
   ASSERT_TRUE(scene.environment);
-  EXPECT_EQ(scene.environment->radiance, (Rgb{1, 1, 1}));
+  EXPECT_EQ(scene.environment->radiance, (Rgb{0.5f, 0.5f, 0.5f}));
+  ASSERT_EQ(scene.directional_lights.size(), 1u);
+  EXPECT_EQ(scene.directional_lights[0].irradiance, (Rgb{3, 3, 3}));
   EXPECT_EQ(scene.unread.size(), 2u);
   const Pose to_camera = inverse(scene.T_world_camera);
   const double half_x = std::tan(scene.fov_x_deg * std::numbers::pi / 360), half_y = half_x * 480 / 640;

@@ -13,6 +13,42 @@ std::string lightError(const std::string& type, const std::string& properties) {
   return errorOf([&] { light(type, properties); });
 }
 
+// Of a lamp whose radiance is a picture: white, and (0, 128, 255) as bytes.
+Scene pictured(const std::string& shape, const std::string& texture = "bitmap",
+               const std::string& more = {}) {
+  const Scratch files;
+  files.write("glow.ppm", "P3 2 1 255  255 255 255  0 128 255");
+  return loadBody(files, "<shape type='" + shape + "'><bsdf type='diffuse' id='case'/><emitter type='area'>" +
+                             "<texture type='" + texture + "' name='radiance'>" +
+                             "<string name='filename' value='glow.ppm'/>" + more +
+                             "</texture></emitter></shape><shape type='cube'><ref id='case'/></shape>");
+}
+
+// The mesh emits the mean, and the picture says how much of it comes from where.
+TEST(MitsubaLight, AnAreaLightMayHaveAPicture) {
+  const Scene scene = pictured("rectangle");
+  ASSERT_EQ(scene.meshes.size(), 2u);
+  const float dark = 0.2158605f, green = (1 + dark) / 2;  // sRGB 128, linear
+  expectNear(scene.meshes[0].radiance, {0.5, green, 1}, 1e-5);
+  const Material& lamp = scene.materials.at(static_cast<std::size_t>(scene.meshes[0].material));
+  ASSERT_EQ(lamp.emission.kind, SurfaceColor::Kind::kBitmap);
+  const Texture& picture = scene.textures.at(static_cast<std::size_t>(lamp.emission.texture));
+  expectNear(picture.pixels()[0], {2, 1 / green, 1}, 1e-5);
+  expectNear(picture.pixels()[1], {0, dark / green, 1}, 1e-4);
+  EXPECT_EQ(scene.meshes[1].radiance, Rgb());
+  EXPECT_FALSE(isTextured(scene.materials.at(static_cast<std::size_t>(scene.meshes[1].material)).emission));
+  EXPECT_NEAR(pictured("rectangle", "bitmap", "<boolean name='raw' value='true'/>").meshes[0].radiance.y,
+              (1 + 128. / 255) / 2, 1e-5);
+}
+
+TEST(MitsubaLight, ASphereThatEmitsAPictureIsAMesh) {
+  const Scene scene = pictured("sphere");
+  EXPECT_TRUE(scene.spheres.empty());
+  EXPECT_EQ(scene.meshes.at(0).radiance.z, 1);
+  expectContains(errorOf([] { pictured("disk", "checkerboard"); }),
+                 "the texture type 'checkerboard' is not supported; supported: bitmap");
+}
+
 TEST(MitsubaLight, AConstantEnvironmentHasNoPicture) {
   const Scene scene = light("constant", "<rgb name='radiance' value='1, 2, 3'/>");
   ASSERT_TRUE(scene.environment);

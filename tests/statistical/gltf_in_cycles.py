@@ -6,8 +6,8 @@
 
 It writes FOLDER/scene (a copy, with the camera), FOLDER/cycles.exr and FOLDER/ours.exr, and prints what
 `saccade-eval compare-renders` says. With --diffuse no surface has an interface, which both programs couple to its
-base in ways of their own. A file without light stands under an even sky of radiance 1 in both programs. It
-needs the Debian package blender.
+base in ways of their own. A file without light stands under an even sky of radiance 1 in both programs, which the
+copy names. It needs the Debian package blender.
 """
 import argparse
 import json
@@ -30,6 +30,16 @@ def camera_node(numbers):
     return matrix, math.radians(fov)
 
 
+def is_lit(scene):
+    return "KHR_lights_punctual" in scene.get("extensionsUsed", []) or any(
+        max(material.get("emissiveFactor", [0])) > 0 for material in scene.get("materials", []))
+
+
+def set_even_sky(scene):
+    scene["scenes"][scene.get("scene", 0)].setdefault("extensions", {})["SACCADE_sky"] = {"radiance": [1, 1, 1]}
+    scene.setdefault("extensionsUsed", []).append("SACCADE_sky")
+
+
 def copy_model(model, folder, size, camera, diffuse):
     shutil.copytree(model.parent, folder, copy_function=shutil.copyfile, dirs_exist_ok=True)
     scene = json.loads(model.read_text())
@@ -42,6 +52,8 @@ def copy_model(model, folder, size, camera, diffuse):
                         "perspective": {"yfov": yfov, "znear": 0.01, "aspectRatio": size[0] / size[1]}})
         nodes.append({"camera": len(cameras) - 1, "matrix": matrix, "name": "from here"})
         scene["scenes"][scene.get("scene", 0)]["nodes"].append(len(nodes) - 1)
+    if not is_lit(scene):
+        set_even_sky(scene)
     path = folder / "scene.gltf"
     path.write_text(json.dumps(scene))
     return path

@@ -54,7 +54,8 @@ class Client:
         self._retry = retry
 
     def scenes(self) -> list[control_pb2.SceneInfo]:
-        """Those of the first server that answers, with name, description, trajectories, and why one is unavailable."""
+        """Those of the first server that answers, with name, description, trajectories, objects, animations, and why one is
+        unavailable."""
         return run(session.scenes(self._servers))
 
     def info(self) -> control_pb2.ServerDescription:

@@ -45,6 +45,8 @@ class Settings(TypedDict, total=False):
         orbit (degrees per second), slide and swing (scene units per second); or a file of poses, or poses, as of
         trajectory, but of T_world_object: where the centre of the box around it lies, and how it has turned.
         "own" moves it as the scene says, which is so without it; "still" stops it.
+    animation: the name of an animation of a glTF scene, from Client.scenes(), that plays alone. Without it, that of
+        motion.toml plays, or all that do not move the same.
 
     The camera:
     size: width and height in pixels. It is needed, but with a calibration.
@@ -103,6 +105,7 @@ class Settings(TypedDict, total=False):
     clearance: float
     start: Sequence[float]
     objects: Mapping[str, str | os.PathLike[str] | NDArray[np.float64]]
+    animation: str
     rate_hz: float
     interval_px: float
     max_rate_hz: float

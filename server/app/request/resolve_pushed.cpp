@@ -19,6 +19,7 @@ void checkPushed(const v1::OpenStream& request) {
   checkUnset(request.has_quality(), "quality");
   checkUnset(request.further_views_size() > 0, "further_views");
   checkUnset(request.objects_size() > 0, "objects");
+  checkUnset(!request.animation().empty(), "animation");
   const v1::View& view = request.view();
   checkUnset(view.has_fov_x_deg(), "view.fov_x_deg");
   checkUnset(view.has_intrinsics(), "view.intrinsics");

@@ -1,5 +1,6 @@
 #include "app/sequence/stream_plan.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "app/request/resolve.h"
 #include "app/request/resolve_objects.h"
 #include "app/sequence/stream_rig.h"
+#include "base/names.h"
+#include "base/text_cut.h"
 #include "render/world/render_scene.h"
 
 namespace saccade {
@@ -20,9 +23,21 @@ SceneEntry findScene(const std::string& name, const SceneLibrary& library) {
   return *entry;
 }
 
+// Before the scene is loaded, which would be told as a fault of the scene.
+void checkAnimation(const std::string& name, const std::string& scene, const SceneLibrary& library) {
+  if (name.empty()) return;
+  const std::vector<std::string> names = library.animations(scene);
+  if (std::ranges::find(names, name) != names.end()) return;
+  const std::string valid = names.empty() ? "; it has none: only scenes of glTF do"
+                                          : "; it has: " + cutText(joinNames(names), kMostNames);
+  throw Refusal(v1::CODE_NOT_FOUND, "animation",
+                "the scene has no animation '" + cutText(name, kMaxEcho) + "'" + valid);
+}
+
 ResolvedStream check(v1::OpenStream request, const SceneLibrary& library, const MeasuredTables& tables) {
   if (request.pushed()) return resolvePushed(std::move(request));
   const SceneEntry entry = findScene(request.scene(), library);
+  checkAnimation(request.animation(), request.scene(), library);
   return resolve(std::move(request), entry, tables);
 }
 
@@ -42,10 +57,10 @@ StreamPlan planStream(v1::OpenStream request, const SceneLibrary& library, const
 void loadScenes(StreamPlan& plan, SceneCache& scenes, const BuildContext& context) {
   ResolvedStream& resolved = plan.resolved;
   const std::string& name = resolved.request.scene();
-  plan.whole = scenes.get(name, context.stop, context.setProgress);
+  plan.whole = scenes.get(name, context.stop, context.setProgress, resolved.request.animation());
   fitTo(plan.whole->description(), resolved);
   const SceneVariant variant{resolved.disabled_features, bodyNames(resolved.request),
-                             rigidNames(resolved.request)};
+                             rigidNames(resolved.request), resolved.request.animation()};
   plan.scene = scenes.vary(name, plan.whole, variant, context.stop);
   setBodyPaths(plan.scene->description(), resolved);
 }

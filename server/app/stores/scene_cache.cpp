@@ -25,10 +25,13 @@ bool SceneCache::Version::operator<(const Version& other) const {
 }
 
 SceneCache::ScenePtr SceneCache::get(const std::string& name, const std::stop_token& stop,
-                                     const std::function<void(double)>& progress) {
+                                     const std::function<void(double)>& progress,
+                                     const std::string& animation) {
   const FileTime changed = library_.lastChange(name);
-  const auto make = [=, this](const BuildContext& context) { return load(name, changed, context); };
-  return getOrBuild({name, {}}, {changed, {}}, stop, make, progress);
+  const auto make = [=, this](const BuildContext& context) {
+    return load(name, animation, changed, context);
+  };
+  return getOrBuild({name, {.animation = animation}}, {changed, {}}, stop, make, progress);
 }
 
 SceneCache::ScenePtr SceneCache::vary(const std::string& name, const ScenePtr& whole,
@@ -108,11 +111,11 @@ void SceneCache::keep(const Key& key, const Version& version, const ScenePtr& sc
   if (!scene) entries_.erase(found);
 }
 
-SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed,
+SceneCache::ScenePtr SceneCache::load(const std::string& name, const std::string& animation, FileTime changed,
                                       const BuildContext& context) {
   const auto began = std::chrono::steady_clock::now();
   try {
-    const ScenePtr scene = read(name, context);
+    const ScenePtr scene = read(name, animation, context);
     loads_.ns += (std::chrono::steady_clock::now() - began) / std::chrono::nanoseconds(1);
     ++loads_.done;
     std::string stats = statsOf(scene->description()).text();
@@ -136,7 +139,8 @@ SceneCache::ScenePtr SceneCache::load(const std::string& name, FileTime changed,
   }
 }
 
-SceneCache::ScenePtr SceneCache::read(const std::string& name, const BuildContext& context) {
+SceneCache::ScenePtr SceneCache::read(const std::string& name, const std::string& animation,
+                                      const BuildContext& context) {
   auto tell = tellSlowLoad(
       name, [this](const std::string& text) { log_.write(spdlog::level::info, "loading " + text); });
   const auto tellBoth = [&](int done, int total) {
@@ -145,7 +149,7 @@ SceneCache::ScenePtr SceneCache::read(const std::string& name, const BuildContex
   };
   std::unique_lock reading(reading_);
   throwIfStopped(context.stop);
-  Scene scene = library_.load(name, tellBoth, context.stop);
+  Scene scene = library_.load(name, tellBoth, context.stop, animation);
   reading.unlock();
   return prepare(name, std::move(scene));
 }

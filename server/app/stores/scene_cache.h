@@ -42,12 +42,14 @@ struct SceneUse {
   int variants = 0;
 };
 
-// The changes of a stream to a scene.
+// The choice and the changes of a stream.
 struct SceneVariant {
   SceneFeatures disabled = {};
   std::vector<std::string> bodies = {};  // names of shapes, sorted
   std::vector<std::string> rigid = {};   // those of them that keep their form
+  std::string animation = {};            // see LoadOptions
 
+  // Whether it is as its file describes it.
   bool isWhole() const { return disabled.empty() && bodies.empty(); }
   friend auto operator<=>(const SceneVariant&, const SceneVariant&) = default;
 };
@@ -69,13 +71,14 @@ class SceneCache {
   SceneUse inUse() const;
   SceneNote note(const std::string& name) const;
 
-  // The scene as its file now describes it. Loads it, or waits for a load that others have asked for;
-  // `progress` is then told the share of files that are read. Throws SceneError, and LimitReached where there
-  // is no room; the next call tries again. Throws Cancelled as soon as `stop` is requested.
+  // The scene as its file now describes it, with one of its animations, see LoadOptions. Loads it, or waits
+  // for a load that others have asked for; `progress` is then told the share of files that are read. Throws
+  // SceneError, and LimitReached where there is no room; the next call tries again. Throws Cancelled as soon
+  // as `stop` is requested.
   ScenePtr get(const std::string& name, const std::stop_token& stop = {},
-               const std::function<void(double)>& progress = {});
-  // `whole`, which get() returned, with a change. It has shapes of the names of the bodies. Throws
-  // LimitReached where too many variants are in use, or there is no room, and Cancelled.
+               const std::function<void(double)>& progress = {}, const std::string& animation = {});
+  // `whole`, which get() returned for the variant's animation, with a change. It has shapes of the names of
+  // the bodies. Throws LimitReached where too many variants are in use, or there is no room, and Cancelled.
   ScenePtr vary(const std::string& name, const ScenePtr& whole, const SceneVariant& variant,
                 const std::stop_token& stop = {});
 
@@ -110,8 +113,9 @@ class SceneCache {
   ScenePtr find(const Key& key, const Version& version);
   void enter(const Key& key, const Version& version);
   void keep(const Key& key, const Version& version, const ScenePtr& scene);
-  ScenePtr load(const std::string& name, FileTime changed, const BuildContext& context);
-  ScenePtr read(const std::string& name, const BuildContext& context);
+  ScenePtr load(const std::string& name, const std::string& animation, FileTime changed,
+                const BuildContext& context);
+  ScenePtr read(const std::string& name, const std::string& animation, const BuildContext& context);
   ScenePtr prepare(const std::string& name, Scene scene);
   void count(const std::string& name, std::weak_ptr<const void> scene, std::uint64_t bytes);
   void makeRoom(const std::string& name, std::uint64_t bytes);

@@ -67,6 +67,7 @@ v1::SceneInfo SceneLister::describe(const SceneEntry& entry) const {
     listed.set_name(object.name);
     listed.set_motion(object.motion);
   }
+  for (const std::string& name : entry.animations) scene.add_animations(name);
   return scene;
 }
 

@@ -30,7 +30,7 @@ double surfaceShare(const GBuffer& g) {
 }
 
 std::shared_ptr<const RenderScene> openSceneOf(const BenchSetup& setup) {
-  auto scene = openMovingScene(setup.scene, parseObjects(setup.objects));
+  auto scene = openMovingScene(setup.scene, parseObjects(setup.objects), setup.animation);
   if (setup.mips) return scene;
   return std::make_shared<RenderScene>(simplified(scene->description(), {SceneFeature::kMipFiltering}));
 }

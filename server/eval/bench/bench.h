@@ -17,6 +17,7 @@ struct BenchSetup {
   std::string scene = "cornell-box";      // a name or a path, see open_scene.h
   std::string trajectory = "right";       // likewise
   std::vector<std::string> objects = {};  // that move, see moving_objects.h
+  std::string animation = {};             // see LoadOptions
   int width = 128, height = 128;
   double frame_rate_hz = 250;
   // > 0: a motion by name moves the images by this much (median at the start); this sets frame_rate_hz.

@@ -41,6 +41,7 @@ std::string BenchOptions::text() const {
     text << " rate_hz=" << setup.frame_rate_hz;
   if (camera) text << " frames=" << setup.first << ':' << setup.last;
   for (const std::string& object : setup.objects) text << " object=\"" << object << '"';
+  if (!setup.animation.empty()) text << " animation=\"" << setup.animation << '"';
   text << " bounces=" << setup.bounces;
   if (setup.jitter) text << " jitter=1";
   if (setup.bake_error > 0) text << " bake=" << setup.bake_error;
@@ -55,6 +56,7 @@ void addBenchOptions(CLI::App& app, BenchOptions& o) {
   o.setup.cache = defaultCache();
   if (o.camera) addCameraOptions(app, o);
   addObjectOption(app, o.setup.objects);
+  addAnimationOption(app, o.setup.animation);
   app.add_option("--size", o.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   app.add_flag(
       "--jitter", o.setup.jitter,

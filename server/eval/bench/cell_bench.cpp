@@ -36,7 +36,8 @@ ComparedCell CellBench::compare(const Cell& cell) {
 // Measures the missing rows, or returns why the cell is left out.
 std::string CellBench::fill(const Cell& cell) {
   if (!scene_ || scene_name_ != cell.scene)
-    scene_ = openMovingScene(cell.scene, parseObjects(o_.setup.objects)), scene_name_ = cell.scene;
+    scene_ = openMovingScene(cell.scene, parseObjects(o_.setup.objects), o_.setup.animation),
+    scene_name_ = cell.scene;
   BenchSetup setup = cell.setup(o_.setup);
   setup.reference_spp = 0;
   const std::string fault = whyLeftOut(cell, Bench(setup, scene_, pool_).view());

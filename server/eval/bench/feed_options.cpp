@@ -15,6 +15,7 @@ void addFeedOptions(CLI::App& app, FeedOptions& o) {
       ->check(readBy(checkMotion))
       ->capture_default_str();
   addObjectOption(app, o.objects);
+  addAnimationOption(app, o.animation);
   app.add_option("--size", o.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   app.add_option("--rate", o.feed.frame_rate_hz, "frames per second")
       ->check(NumberIn(ranges::kFrameRate.min, ranges::kFrameRate.max))
@@ -37,7 +38,7 @@ void addBakeOption(CLI::App& app, double& error) {
 OpenedFeed open(FeedOptions& o) {
   const Size size = parseSize(o.size);
   const auto objects = parseObjects(o.objects);
-  auto scene = openMovingScene(o.scene, objects);
+  auto scene = openMovingScene(o.scene, objects, o.animation);
   o.feed.camera = pinhole(scene->description().fov_x_deg, size.width, size.height);
   o.feed.body_paths = openPaths(scene->description(), objects, o.feed.frame_rate_hz);
   Trajectory path = openTrajectory(o.scene, o.trajectory, *scene, o.feed);

@@ -15,6 +15,7 @@ namespace saccade::eval {
 struct FeedOptions {
   std::string scene, trajectory = "right", size = "256x256";
   std::vector<std::string> objects;
+  std::string animation;
   FeedConfig feed;
   int threads = hardwareThreads();
 };

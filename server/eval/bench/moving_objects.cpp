@@ -48,6 +48,12 @@ void addObjectOption(CLI::App& app, std::vector<std::string>& objects) {
                      " stops what the scene moves; may be given again");
 }
 
+void addAnimationOption(CLI::App& app, std::string& animation) {
+  app.add_option("--animation", animation,
+                 "the animation of a glTF scene that plays alone, by name; by default that of motion.toml, "
+                 "else all that do not move the same");
+}
+
 std::vector<MovingObject> parseObjects(const std::vector<std::string>& objects) {
   std::vector<MovingObject> parsed;
   for (const std::string& text : objects) {

@@ -22,6 +22,9 @@ struct MovingObject {
 // Adds --object NAME=PATH, which may come again.
 void addObjectOption(CLI::App& app, std::vector<std::string>& objects);
 
+// Adds --animation NAME.
+void addAnimationOption(CLI::App& app, std::string& animation);
+
 // Reads the texts NAME=PATH, of which no two name one object. Throws SceneError.
 std::vector<MovingObject> parseObjects(const std::vector<std::string>& objects);
 

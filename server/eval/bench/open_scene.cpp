@@ -110,15 +110,16 @@ void requireTableNames(const std::vector<std::string>& names_or_paths) {
 
 namespace {
 
-Scene readScene(const std::string& name_or_path) {
+Scene readScene(const std::string& name_or_path, const std::string& animation) {
   const LoadProgress progress = tellSlowLoad(
       name_or_path, [](const std::string& text) { std::fprintf(stderr, "loading %s\n", text.c_str()); });
   const fs::path file = fileOf(name_or_path);
   if (!file.empty())
-    return loadSceneFile(file, {.search_folders = splitFolders(meshFolders()), .progress = progress});
+    return loadSceneFile(
+        file, {.search_folders = splitFolders(meshFolders()), .animation = animation, .progress = progress});
   if (!ownLibrary().find(name_or_path) && fs::is_directory(name_or_path))
     throw SceneError(ownLibrary().unknown(name_or_path) + "; the folder here is ./" + name_or_path);
-  return ownLibrary().load(name_or_path, progress);
+  return ownLibrary().load(name_or_path, progress, {}, animation);
 }
 
 std::shared_ptr<const RenderScene> warnedOf(Scene scene, const std::string& name_or_path) {
@@ -129,13 +130,14 @@ std::shared_ptr<const RenderScene> warnedOf(Scene scene, const std::string& name
 
 }  // namespace
 
-std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path) {
-  return warnedOf(readScene(name_or_path), name_or_path);
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path, const std::string& animation) {
+  return warnedOf(readScene(name_or_path, animation), name_or_path);
 }
 
 std::shared_ptr<const RenderScene> openMovingScene(const std::string& name_or_path,
-                                                   const std::vector<MovingObject>& objects) {
-  Scene scene = readScene(name_or_path);
+                                                   const std::vector<MovingObject>& objects,
+                                                   const std::string& animation) {
+  Scene scene = readScene(name_or_path, animation);
   setBodies(scene, objects);
   return warnedOf(std::move(scene), name_or_path);
 }

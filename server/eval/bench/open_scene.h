@@ -28,11 +28,13 @@ std::string sceneName(const std::string& name_or_path);
 // them.
 void requireTableNames(const std::vector<std::string>& names_or_paths);
 
-// As the scene's file has it: nothing moves. Throws SceneError.
-std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path);
+// As the scene's file has it: nothing moves. `animation`: see LoadOptions. Throws SceneError.
+std::shared_ptr<const RenderScene> openScene(const std::string& name_or_path,
+                                             const std::string& animation = {});
 // Its bodies are `objects` and those that it moves by itself, see setBodies(). Throws SceneError.
 std::shared_ptr<const RenderScene> openMovingScene(const std::string& name_or_path,
-                                                   const std::vector<MovingObject>& objects);
+                                                   const std::vector<MovingObject>& objects,
+                                                   const std::string& animation = {});
 
 // The scene without the parts that have faults, which are told one by one. None if there is nothing left to
 // tell of. Does not throw SceneError.

@@ -20,7 +20,7 @@ namespace saccade::eval {
 namespace {
 
 struct RenderOptions {
-  std::string scene, size, output;
+  std::string scene, animation, size, output;
   std::vector<double> offset{0, 0, 0};
   LensOptions lens;
   int spp = 64;
@@ -41,7 +41,7 @@ int bouncesOf(const RenderOptions& o, const Scene& scene) {
 
 void runRender(const RenderOptions& o) {
   checkOutputFile(o.output, {".exr", ".png"});
-  const auto scene = openScene(o.scene);
+  const auto scene = openScene(o.scene, o.animation);
   const Scene& s = scene->description();
   const Size size = o.size.empty() ? Size{s.width, s.height} : parseSize(o.size);
   TilePool pool(hardwareThreads());
@@ -98,6 +98,7 @@ void addRenderCommand(CLI::App& app) {
   auto* command =
       app.add_subcommand("render", "render one picture: linear 32-bit floats (.exr) or 8 bits (.png)");
   command->add_option("scene", o->scene, "a scene by name, or by the path of its file or folder")->required();
+  addAnimationOption(*command, o->animation);
   command->add_option("--size", o->size, "WIDTHxHEIGHT, pixels; default: that of the scene");
   command->add_option("--spp", o->spp, "paths per pixel")->check(NumberIn(1, 1 << 20))->capture_default_str();
   command->add_option("--bounces", o->bounces, "indirect bounces; default: those of the scene file, else 3")

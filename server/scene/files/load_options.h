@@ -19,6 +19,9 @@ struct LoadOptions {
   // Folders or single files that hold all the scene may read, with links followed. Empty: any file may be
   // read. A server sets them, because its scenes may be other people's.
   std::vector<std::filesystem::path> confined_to = {};
+  // The animation of a glTF file that plays alone. Empty: that of motion.toml, else all that do not move the
+  // same.
+  std::string animation = {};
   int threads = 0;  // that read files; 0: one for each core, at most kMaxLoadThreads
   LoadProgress progress = {};
   // Takes the fault of an object, which is then left out of the scene, and may be called with one fault

@@ -79,6 +79,13 @@ bool readAlpha(pictures::Input& input, Picture& picture) {
   return std::ranges::any_of(picture.pixels, [](Rgb c) { return c.x < 1; });
 }
 
+bool isRaw(PixelUse use) {
+  return use == PixelUse::kRawReflectance || use == PixelUse::kRawOpacity || use == PixelUse::kRawRadiance;
+}
+bool isRadiance(PixelUse use) {
+  return use == PixelUse::kRadiance || use == PixelUse::kRawRadiance;
+}
+
 }  // namespace
 
 std::size_t countPixels(const PictureFile& source) {
@@ -101,8 +108,8 @@ Picture loadPicture(const PictureFile& source, PixelUse use) {
   }
   readChannels(*input, 0, grey ? 1 : 3, picture);
   const bool integers = shape.number == pictures::Number::kU8 || shape.number == pictures::Number::kU16;
-  const bool encoded = integers && use != PixelUse::kRawReflectance && use != PixelUse::kRawOpacity;
-  const float max = use == PixelUse::kRadiance ? kMaxRadiance : 1;
+  const bool encoded = integers && !isRaw(use);
+  const float max = isRadiance(use) ? kMaxRadiance : 1;
   const auto linear = [&](float v) { return encoded ? tabulatedFromSrgb(clampTo(1, v)) : clampTo(max, v); };
   for (Rgb& c : picture.pixels) {
     if (grey) c.y = c.z = c.x;

@@ -32,6 +32,7 @@ enum class PixelUse {
   kRawOpacity,      // likewise, as kRawReflectance
   kAlpha,           // the alpha; 1 where the picture has none
   kRadiance,        // sRGB-encoded 8/16-bit pictures are made linear; clamped to [0, kMaxRadiance]
+  kRawRadiance,     // values are linear already; clamped likewise
 };
 
 // Reads a picture with OpenImageIO: its first three channels, or its first as grey; alpha is ignored, but for

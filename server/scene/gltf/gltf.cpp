@@ -5,8 +5,8 @@
 #include <set>
 
 #include "base/text_cut.h"
+#include "scene/default_view.h"
 #include "scene/gltf/gltf_cameras.h"
-#include "scene/gltf/gltf_defaults.h"
 #include "scene/gltf/gltf_extensions.h"
 #include "scene/gltf/gltf_lights.h"
 #include "scene/gltf/gltf_meshes.h"
@@ -150,6 +150,10 @@ Scene loadGltf(const std::string& path, const LoadOptions& options) {
   const GltfFile file(path, options);
   const GltfBuffers buffers(file);
   return loadAtOrigin([&](Vec3d origin) { return loadAt(file, buffers, options, origin); });
+}
+
+std::vector<std::string> animationsOfGltf(const std::string& path, const LoadOptions& options) {
+  return animationNames(GltfFile(path, options).root());
 }
 
 Scene outlineGltf(const std::string& path, const LoadOptions& options) {

@@ -13,7 +13,7 @@
 //   camera    perspective; each is a named path, and the first the scene's own
 //   light     KHR_lights_punctual; our own SACCADE_sky, even or a picture
 //   animation of nodes and weights: these are objects with a motion of their own, from stream time 0 on
-// A file without a camera is seen from its front. One without light stands under an even sky of radiance 1.
+// A file without a camera or without light has those of addDefaults().
 // Scene::unread tells of parts that would change the picture, and are not shown. Required extensions that are
 // not supported, and values out of range, are a SceneError that names file and place.
 #pragma once
@@ -29,5 +29,8 @@ namespace saccade {
 Scene loadGltf(const std::string& path, const LoadOptions& options);
 // The same without reading any buffer or picture: meshes have names alone. Throws SceneError.
 Scene outlineGltf(const std::string& path, const LoadOptions& options);
+// The names of the animations of a file, in its order; "animation 2" for the third one if it has no name.
+// Throws SceneError.
+std::vector<std::string> animationsOfGltf(const std::string& path, const LoadOptions& options);
 
 }  // namespace saccade

@@ -62,6 +62,13 @@ std::size_t targetCount(const JsonNode& root, const JsonNode& node) {
 
 }  // namespace
 
+std::vector<std::string> animationNames(const JsonNode& root) {
+  std::vector<std::string> names;
+  for (const JsonNode& animation : root.list("animations"))
+    names.push_back(animation.text("name", "animation " + std::to_string(names.size())));
+  return names;
+}
+
 GltfAnimation::GltfAnimation(const JsonNode& root, const std::vector<GltfNode>& nodes,
                              const std::optional<ChosenAnimation>& chosen)
     : root_(root),
@@ -72,9 +79,7 @@ GltfAnimation::GltfAnimation(const JsonNode& root, const std::vector<GltfNode>& 
       weights_(nodes.size()) {
   for (std::size_t i = 0; i < nodes.size(); ++i) places_[nodes[i].index] = i;
   const std::vector<JsonNode> animations = root.list("animations");
-  std::vector<std::string> names;
-  for (const JsonNode& animation : animations)
-    names.push_back(animation.text("name", "animation " + std::to_string(names.size())));
+  const std::vector<std::string> names = animationNames(root);
   if (chosen && std::ranges::find(names, chosen->name) == names.end())
     throw chosen->error("the file has no animation '" + cutText(chosen->name, kMaxEcho) +
                         "'; it has: " + cutText(joinNames(names), kMostNames));
@@ -82,8 +87,9 @@ GltfAnimation::GltfAnimation(const JsonNode& root, const std::vector<GltfNode>& 
     if (chosen && names[i] != chosen->name) continue;
     const std::vector<JsonNode> channels = animations[i].list("channels");
     if (std::ranges::any_of(channels, [&](const JsonNode& channel) { return isTaken(channel); }))
-      unread_.push_back("the animation '" + names[i] +
-                        "' does not play, as one before it moves the same; motion.toml may choose it");
+      unread_.push_back(
+          "the animation '" + names[i] +
+          "' does not play, as one before it moves the same; --animation or motion.toml may choose it");
     else
       addAnimation(animations[i]);
   }

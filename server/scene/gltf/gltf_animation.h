@@ -9,6 +9,9 @@
 
 namespace saccade {
 
+// The names of all animations of a file, in its order; by number where there is none.
+std::vector<std::string> animationNames(const JsonNode& root);
+
 // The animations of a file that play, from stream time 0 on. They are the chosen one, or all of those that
 // move other properties of nodes than those before them.
 class GltfAnimation {

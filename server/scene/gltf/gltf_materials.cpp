@@ -4,22 +4,10 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "scene/emission_pictures.h"
 #include "scene/gltf/two_sides.h"
 
 namespace saccade {
-namespace {
-
-// The picture over this mean.
-Texture scaled(const Texture& picture, Rgb mean) {
-  const auto over = [](float v, float m) { return m > 0 ? v / m : 0; };
-  std::vector<Rgb> pixels = picture.pixels();
-  for (Rgb& c : pixels) c = {over(c.x, mean.x), over(c.y, mean.y), over(c.z, mean.z)};
-  Texture all(picture.width(), picture.height(), std::move(pixels));
-  all.setWrap(picture.wrapU(), picture.wrapV());
-  return all;
-}
-
-}  // namespace
 
 int GltfMaterials::read(std::optional<std::size_t> i) {
   const auto [found, added] = index_.try_emplace(i, static_cast<int>(scene_.materials.size()));
@@ -34,23 +22,8 @@ int GltfMaterials::read(std::optional<std::size_t> i) {
   return found->second;
 }
 
-// The mean of the emission of each material. Its picture is divided by it.
-std::vector<Rgb> GltfMaterials::takeMeans() {
-  std::map<int, Rgb> of_textures;
-  std::vector<Rgb> means;
-  for (const Material& m : scene_.materials) {
-    means.push_back({1, 1, 1});
-    if (!isTextured(m.emission)) continue;
-    Texture& picture = scene_.textures[static_cast<std::size_t>(m.emission.texture)];
-    const auto [found, added] = of_textures.try_emplace(m.emission.texture, picture.mean());
-    if (added) picture = scaled(picture, found->second);
-    means.back() = found->second;
-  }
-  return means;
-}
-
 void GltfMaterials::setEmission() {
-  const std::vector<Rgb> means = takeMeans();
+  const std::vector<Rgb> means = takeEmissionMeans(scene_);
   std::vector<Mesh> backs;
   for (Mesh& mesh : scene_.meshes) {
     const GltfMaterial& of = read_[static_cast<std::size_t>(mesh.material)];

@@ -21,8 +21,6 @@ class GltfMaterials {
   void setEmission();
 
  private:
-  std::vector<Rgb> takeMeans();
-
   const JsonNode root_;
   GltfPictures& pictures_;
   Scene& scene_;

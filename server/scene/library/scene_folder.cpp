@@ -47,6 +47,15 @@ std::vector<SceneObject> objectsOf(const Scene& scene) {
   return objects;
 }
 
+std::vector<std::string> animationsOf(const fs::path& file, const LoadOptions& options) {
+  const SceneFormat& format = formatOf(file);
+  if (!format.animations) return {};
+  std::vector<std::string> names = format.animations(file.string(), options);
+  if (names.size() > kMostListedAnimations) names.resize(kMostListedAnimations);
+  for (std::string& name : names) name = cutText(name, kMaxEntryBytes);
+  return names;
+}
+
 // Before the motions that any scene offers.
 void addPaths(const Scene& scene, SceneEntry& entry) {
   auto at = entry.trajectories.end() - static_cast<std::ptrdiff_t>(motionNames().size());
@@ -98,6 +107,7 @@ SceneEntry describeScene(const fs::path& scene, const fs::path& scenes, const Lo
   try {
     const Scene outline = outlineSceneFile(sceneFileIn(scene), options);
     entry.objects = objectsOf(outline);
+    entry.animations = animationsOf(sceneFileIn(scene), options);
     if (entry.description.empty() && !outline.unread.empty())
       entry.description = cutText(joinNames(outline.unread), kMaxEntryBytes);
     addPaths(outline, entry);

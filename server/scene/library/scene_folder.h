@@ -12,7 +12,7 @@ namespace saccade {
 
 inline constexpr std::size_t kMaxEntryBytes = 1000;  // of each text of a SceneEntry
 
-inline constexpr std::size_t kMostListedObjects = 256;
+inline constexpr std::size_t kMostListedObjects = 256, kMostListedAnimations = 256;
 
 // Shapes of one name, which may move.
 struct SceneObject {
@@ -31,6 +31,8 @@ struct SceneEntry {
   bool may_have_paths = false;  // of an outline: its file may have some
   // At most kMostListedObjects, those that move first, then by name. None of an outline.
   std::vector<SceneObject> objects = {};
+  // At most kMostListedAnimations, in the order of the scene's file. None of an outline.
+  std::vector<std::string> animations = {};
   std::string unavailable;  // why the scene cannot be opened on this machine; empty: it can
 };
 

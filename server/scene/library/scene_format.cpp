@@ -31,7 +31,7 @@ std::string join(std::string SceneFormat::*text) {
 
 // Motions and trajectories beside the file come before those in it.
 Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& options) {
-  if (const auto chosen = chosenAnimation(file, options); chosen && !formatOf(file).has_animations)
+  if (const auto chosen = chosenAnimation(file, options); chosen && !formatOf(file).animations)
     throw chosen->error("only files of glTF have animations");
   for (OwnMotion& motion : readOwnMotions(file, shapeNames(scene), options)) {
     std::erase_if(scene.motions, [&](const OwnMotion& other) { return other.name == motion.name; });
@@ -47,11 +47,12 @@ Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& opti
 }  // namespace
 
 const std::vector<SceneFormat>& sceneFormats() {
-  static const std::vector<SceneFormat> formats{{"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true},
-                                                {"glTF", ".gltf", loadGltf, outlineGltf, true, true},
-                                                {"binary glTF", ".glb", loadGltf, outlineGltf, true, true},
-                                                {"OBJ", ".obj", loadObjScene, outlineModelScene},
-                                                {"PLY", ".ply", loadPlyScene, outlineModelScene}};
+  static const std::vector<SceneFormat> formats{
+      {"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true},
+      {"glTF", ".gltf", loadGltf, outlineGltf, true, animationsOfGltf},
+      {"binary glTF", ".glb", loadGltf, outlineGltf, true, animationsOfGltf},
+      {"OBJ", ".obj", loadObjScene, outlineModelScene},
+      {"PLY", ".ply", loadPlyScene, outlineModelScene}};
   return formats;
 }
 

@@ -18,8 +18,10 @@ struct SceneFormat {
   // have names alone.
   Scene (*load)(const std::string& path, const LoadOptions& options);
   Scene (*outline)(const std::string& path, const LoadOptions& options);
-  bool has_paths = false;       // its files may have Scene::paths
-  bool has_animations = false;  // motion.toml may choose one of them
+  bool has_paths = false;  // its files may have Scene::paths
+  // The names of the animations of a file, in its order, of which LoadOptions or motion.toml may choose one.
+  // Null: there are none. Throws SceneError.
+  std::vector<std::string> (*animations)(const std::string& path, const LoadOptions& options) = nullptr;
 };
 
 const std::vector<SceneFormat>& sceneFormats();

@@ -46,6 +46,12 @@ std::vector<SceneEntry> SceneLibrary::list() const {
   return entries;
 }
 
+std::vector<std::string> SceneLibrary::animations(const std::string& name) const {
+  const fs::path scene = folder_ / name;
+  std::lock_guard lock(mutex_);
+  return (index_[scene] = refreshed(scene)).entry.animations;
+}
+
 // A scene that was unavailable is read again: a mesh may have come, which is no change of its folder.
 SceneLibrary::Indexed SceneLibrary::refreshed(const fs::path& scene) const {
   Times changed{changeOf(sceneFileIn(scene)), changeOf(scene / kMotionFile), changeOf(scene / kValuesFile),
@@ -79,11 +85,11 @@ std::string SceneLibrary::unknown(const std::string& name) const {
   return what + "; there are: " + joinNames(names);
 }
 
-Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress,
-                         const std::stop_token& stop) const {
+Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress, const std::stop_token& stop,
+                         const std::string& animation) const {
   if (!contains(name)) throw SceneError(unknown(name));
   LoadOptions options = options_;
-  options.progress = progress, options.stop = stop;
+  options.progress = progress, options.stop = stop, options.animation = animation;
   return loadSceneFile(sceneFileIn(folder_ / name), options);
 }
 

@@ -30,10 +30,12 @@ class SceneLibrary {
   std::vector<SceneEntry> list() const;
   // Name and trajectories of one scene; reads no file. Empty: there is no such scene.
   std::optional<SceneEntry> find(const std::string& name) const;
-  // Throws SceneError: an unknown name, with the valid ones; a faulty file. Throws Cancelled between files
-  // once `stop` is requested.
-  Scene load(const std::string& name, const LoadProgress& progress = {},
-             const std::stop_token& stop = {}) const;
+  // `animation`: see LoadOptions. Throws SceneError: an unknown name, with the valid ones; a faulty file.
+  // Throws Cancelled between files once `stop` is requested.
+  Scene load(const std::string& name, const LoadProgress& progress = {}, const std::stop_token& stop = {},
+             const std::string& animation = {}) const;
+  // Those of a scene that there is, as list() has them. Answers from the index, too.
+  std::vector<std::string> animations(const std::string& name) const;
   // Says that there is no such scene, and which there are. Throws SceneError where the folder cannot be read.
   std::string unknown(const std::string& name) const;
   // The latest time at which the scene's file, that of its motions or that of its values was written. Without

@@ -59,14 +59,21 @@ Strength parseStrength(const XmlFile& file, pugi::xml_node emitter, Properties& 
 
 }  // namespace
 
-Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter) {
+Emission parseEmitter(const XmlFile& file, pugi::xml_node emitter, TextureReader& textures) {
   supportedType(file, emitter, {"area"});
   Properties properties(file, emitter);
   properties.ignore("float", {"sampling_weight"});
-  const Rgb radiance = properties.quantity("radiance", kMaxRadiance).value_or(Rgb{1, 1, 1});
-  const Strength strength = parseStrength(file, emitter, properties);
+  Emission emission{.radiance = {1, 1, 1}, .strength = parseStrength(file, emitter, properties)};
+  if (const pugi::xml_node texture = properties.object("texture", "radiance"))
+    emission.picture = textures.readTexture(texture, TextureReader::Use::kRadiance);
+  else
+    emission.radiance = properties.quantity("radiance", kMaxRadiance).value_or(emission.radiance);
   properties.finish();
-  return {radiance, strength};
+  return emission;
+}
+
+bool hasTexture(const XmlFile& file, pugi::xml_node emitter) {
+  return emitter && Properties(file, emitter).object("texture", "radiance");
 }
 
 }  // namespace saccade

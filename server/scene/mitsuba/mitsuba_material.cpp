@@ -51,6 +51,13 @@ int MaterialReader::read(pugi::xml_node bsdf) {
   return materials_[bsdf] = static_cast<int>(scene_.materials.size()) - 1;
 }
 
+int MaterialReader::addEmitting(int material, const SurfaceColor& emission) {
+  Material copy = scene_.materials[static_cast<std::size_t>(material)];
+  copy.emission = emission;
+  scene_.materials.push_back(std::move(copy));
+  return static_cast<int>(scene_.materials.size()) - 1;
+}
+
 // Reads a BSDF and the wrappers around it, in any order.
 Material MaterialReader::parse(pugi::xml_node bsdf, Blends blends) {
   static const std::vector<std::string> types = allTypes();

@@ -16,6 +16,10 @@ class MaterialReader {
   // The index of the material that a <bsdf> describes; without one, of a grey of 0.5. Each is read once.
   // Throws SceneError.
   int read(pugi::xml_node bsdf);
+  // The index of a copy of one of these materials, with this emission.
+  int addEmitting(int material, const SurfaceColor& emission);
+
+  TextureReader& textures() { return textures_; }
 
  private:
   enum class Blends { kRead, kRefused };

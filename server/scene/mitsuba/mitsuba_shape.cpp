@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "scene/files/limits.h"
+#include "scene/mesh/creases.h"
 #include "scene/mesh/mesh.h"
 #include "scene/mesh/mesh_io.h"
 #include "scene/mitsuba/mitsuba_emitter.h"
@@ -29,8 +30,11 @@ Common parseCommon(const XmlFile& file, pugi::xml_node shape, Properties& proper
   const pugi::xml_node emitter = properties.object("emitter"), bsdf = properties.object("bsdf");
   Affine placement = parseTransform(file, properties.object("transform", "to_world"));
   placement.translation = placement.translation - origin;
-  return {shape.attribute("id").value(), placement, !!bsdf, materials.read(bsdf),
-          emitter ? parseEmitter(file, emitter) : Emission{}};
+  Common common{shape.attribute("id").value(), placement, !!bsdf, materials.read(bsdf), {}};
+  if (emitter) common.emission = parseEmitter(file, emitter, materials.textures());
+  if (isTextured(common.emission.picture))
+    common.material = materials.addEmitting(common.material, common.emission.picture);
+  return common;
 }
 
 // A mesh in a file.
@@ -59,6 +63,18 @@ Mesh loadMeshFile(const std::string& type, const MeshFile& file) {
   return mesh;
 }
 
+// The angle in degrees at which faces have a crease between them; none: the normals are those of the file.
+std::optional<double> readCrease(const XmlFile& file, pugi::xml_node shape, bool face_normals,
+                                 Properties& properties) {
+  constexpr double kNone = -1;
+  const double degrees = properties.number("max_smooth_angle", kNone);
+  if (degrees == kNone) return {};
+  if (!(degrees >= 0 && degrees <= 180))
+    throw file.error(shape, "the max_smooth_angle must be within [0, 180] degrees");
+  if (face_normals) throw file.error(shape, "there is no max_smooth_angle beside face_normals");
+  return degrees;
+}
+
 Mesh makeMesh(const std::string& type) {
   if (isRound(type)) return makeRound(type);
   return type == "rectangle" ? makeRectangle() : type == "cube" ? makeCube() : makeDisk();
@@ -84,6 +100,7 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   const bool is_file = type == "obj" || type == "ply" || type == "serialized";
   const MeshFile mesh_file = is_file ? readMeshFile(file, shape, type, properties) : MeshFile{};
   const bool face_normals = is_file ? properties.flag("face_normals", false) : !isRound(type);
+  const auto crease = is_file ? readCrease(file, shape, face_normals, properties) : std::optional<double>();
   const bool flip_normals = properties.flag("flip_normals", false);
   properties.finish();
   const std::size_t index = scene.meshes.size();
@@ -91,6 +108,7 @@ void readMesh(const XmlFile& file, pugi::xml_node shape, const std::string& type
   scene.meshes.emplace_back().name = name;
   loads.add(file.errorsAt(shape), [=, &meshes = scene.meshes] {
     Mesh mesh = is_file ? loadMeshFile(type, mesh_file) : makeMesh(type);
+    if (crease) splitAtCreases(mesh, common.placement, *crease);
     placeMesh(mesh, common.placement, face_normals);
     if (flip_normals) turnRound(mesh);
     if (!isFinite(mesh)) throw SceneError("a vertex of the shape is too far away for float numbers");
@@ -129,9 +147,10 @@ void readSphere(const XmlFile& file, pugi::xml_node shape, MaterialReader& mater
                            common.emission.radiance, common.emission.strength});
 }
 
-// Whether a sphere faces inwards: it is then a mesh.
-bool isTurned(const XmlFile& file, pugi::xml_node shape) {
-  return Properties(file, shape).flag("flip_normals", false);
+// Whether a sphere is a mesh: it faces inwards, or emits a picture.
+bool needsMesh(const XmlFile& file, pugi::xml_node sphere) {
+  return Properties(file, sphere).flag("flip_normals", false) ||
+         hasTexture(file, Properties(file, sphere).object("emitter"));
 }
 
 }  // namespace
@@ -140,7 +159,7 @@ void readShape(const XmlFile& file, pugi::xml_node shape, MaterialReader& materi
                Scene& scene) {
   const std::string type = supportedType(
       file, shape, {"obj", "ply", "serialized", "rectangle", "cube", "disk", "cylinder", "sphere"});
-  if (type == "sphere" && !isTurned(file, shape)) {
+  if (type == "sphere" && !needsMesh(file, shape)) {
     readSphere(file, shape, materials, scene);
   } else {
     readMesh(file, shape, type, materials, loads, scene);

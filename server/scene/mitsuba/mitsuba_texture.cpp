@@ -35,6 +35,7 @@ void requireRepeat(const XmlFile& file, pugi::xml_node bitmap, Properties& prope
 
 PixelUse pixelUse(TextureReader::Use use, bool raw) {
   if (use == TextureReader::Use::kOpacity) return raw ? PixelUse::kRawOpacity : PixelUse::kOpacity;
+  if (use == TextureReader::Use::kRadiance) return raw ? PixelUse::kRawRadiance : PixelUse::kRadiance;
   return raw ? PixelUse::kRawReflectance : PixelUse::kReflectance;
 }
 
@@ -48,7 +49,8 @@ SurfaceColor TextureReader::readColor(Properties& properties, const std::string&
 }
 
 SurfaceColor TextureReader::readTexture(pugi::xml_node texture, Use use) {
-  const std::string type = supportedType(file_, texture, {"bitmap", "checkerboard"});
+  static const std::vector<std::string> all{"bitmap", "checkerboard"}, of_radiance{"bitmap"};
+  const std::string type = supportedType(file_, texture, use == Use::kRadiance ? of_radiance : all);
   Properties properties(file_, texture);
   SurfaceColor c;
   if (type == "bitmap") {

@@ -17,12 +17,13 @@ class TextureReader {
   TextureReader(const XmlFile& file, FileLoads& loads, Scene& scene)
       : file_(file), loads_(loads), scene_(scene) {}
 
-  // The meaning of a colour: opacity is the alpha of pictures that have one.
-  enum class Use { kReflectance, kOpacity };
+  // The meaning of a colour: opacity is the alpha of pictures that have one, and radiance may exceed 1.
+  enum class Use { kReflectance, kOpacity, kRadiance };
 
   // The property called `name`: a number, a colour or a texture.
   SurfaceColor readColor(Properties& properties, const std::string& name, const SurfaceColor& fallback,
                          Use use = Use::kReflectance);
+  // Of radiances there are bitmaps alone.
   SurfaceColor readTexture(pugi::xml_node texture, Use use = Use::kReflectance);
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "scene/emission_pictures.h"
 #include "scene/files/confinement.h"
 #include "scene/files/file_loads.h"
 #include "scene/files/limits.h"
@@ -91,6 +92,9 @@ Scene loadScene(const XmlFile& file, const std::string& path, const LoadOptions&
   scene.origin = origin;
   readScene(file, options, loads, scene);
   loads.run(options);
+  const std::vector<Rgb> means = takeEmissionMeans(scene);
+  for (Mesh& mesh : scene.meshes)
+    mesh.radiance = mesh.radiance * means[static_cast<std::size_t>(mesh.material)];
   checkTriangles(file, scene);
   return scene;
 }

@@ -5,7 +5,7 @@
 //   sensor    perspective, the first of several: fov along x, or fov_axis y|x|smaller|larger|diagonal, or
 //             focal_length, by default 50mm; one that mirrors is taken unmirrored, with a warning
 //   shape     obj, ply (flip_tex_coords), serialized (shape_index), rectangle, cube, disk, cylinder, sphere;
-//             face_normals of meshes in files, flip_normals
+//             face_normals and max_smooth_angle of meshes in files, flip_normals
 //   bsdf      the kinds of bsdf_model.h, and roughdiffuse as diffuse; around one, in any order, twosided,
 //             mask, bumpmap; coats (mitsuba_coat.h); blends of diffuse ones, or with weights of 0 and 1
 //   texture   bitmap (to_uv or uscale and the like; raw or gamma 1), checkerboard

@@ -39,11 +39,6 @@ Mesh placed(Mesh mesh, const std::string& path) {
   return mesh;
 }
 
-void finish(Scene& scene) {
-  addDefaultCamera(scene);
-  if (!isLit(scene)) addDefaultLight(scene);
-}
-
 }  // namespace
 
 Scene loadObjScene(const std::string& path, const LoadOptions& options) {
@@ -53,7 +48,7 @@ Scene loadObjScene(const std::string& path, const LoadOptions& options) {
   const ObjMaterials materials(path, file, options);
   scene.meshes = splitMesh(placed(std::move(file.mesh), path), materials.ranges());
   materials.addTo(scene, options);
-  finish(scene);
+  addDefaults(scene);
   return scene;
 }
 
@@ -62,7 +57,7 @@ Scene loadPlyScene(const std::string& path, const LoadOptions& options) {
   Scene scene = emptyScene(path);
   scene.materials.push_back(greyMaterial());
   scene.meshes.push_back(placed(loadPly(path), path));
-  finish(scene);
+  addDefaults(scene);
   return scene;
 }
 

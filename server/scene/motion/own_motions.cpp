@@ -111,11 +111,12 @@ std::vector<OwnMotion> readOwnMotions(const fs::path& scene_file, const std::set
 }
 
 std::optional<ChosenAnimation> chosenAnimation(const fs::path& scene_file, const LoadOptions& options) {
+  if (!options.animation.empty()) return ChosenAnimation{options.animation, scene_file.string()};
   const fs::path file = scene_file.parent_path() / kMotionFile;
   const auto tables = readToml(file, kMaxFileBytes, options);
   const toml::node* node = tables ? tables->get(kAnimation) : nullptr;
   if (!node || node->is_table()) return {};
-  ChosenAnimation chosen{{}, file.string(), static_cast<long>(node->source().begin.line)};
+  ChosenAnimation chosen{{}, file.string() + ":" + std::to_string(node->source().begin.line)};
   const auto name = node->value_exact<std::string>();
   if (!name) throw chosen.error("animation is not a text in quotes");
   chosen.name = *name;

@@ -28,14 +28,13 @@ inline constexpr std::size_t kMostOwnMotions = 64;
 std::vector<OwnMotion> readOwnMotions(const std::filesystem::path& scene_file,
                                       const std::set<std::string>& shapes, const LoadOptions& options);
 
-// The animation that motion.toml chooses, and a fault of this choice with its place.
+// The animation that LoadOptions or motion.toml chooses, and a fault of this choice with its place.
 struct ChosenAnimation {
-  std::string name, file;
-  long line;
+  std::string name, place;
 
-  SceneError error(const std::string& what) const { return {file, line, what}; }
+  SceneError error(const std::string& what) const { return SceneError(place + ": " + what); }
 };
-// None where it chooses none. Throws SceneError.
+// None where none of them chooses. Throws SceneError.
 std::optional<ChosenAnimation> chosenAnimation(const std::filesystem::path& scene_file,
                                                const LoadOptions& options);
 

@@ -16,7 +16,7 @@ from saccade.v1 import noise_pb2
 
 OF_ALL_SENSORS = ("max_events_per_pixel_frame", "max_events_per_frame", "preset", "labels", "object_ids", "max_artefact_odds",
                   "model", "start_level", "reconstruction")
-OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "clearance", "start", "objects", "method", "spp",
+OF_SCENES = ("scene", "trajectory", "motion", "turn_s", "motion_seed", "clearance", "start", "objects", "animation", "method", "spp",
              "params", "disable", "calibration", "fov_x_deg", "intrinsics", "distortion", "T_body_camera", "further_views")
 OF_QUALITY = ("bounces", "monochrome", "budget_ms", "max_false_rate", "max_event_change", "jitter", "bake_error")
 
@@ -64,7 +64,7 @@ def _check_pushed(settings: Mapping[str, Any]) -> None:
 
 def _scene(s: Mapping[str, Any]) -> dict[str, Any]:
     """What is rendered, and how."""
-    return {"scene": s["scene"], "trajectory": make_trajectory(s), "objects": make_objects(s),
+    return {"scene": s["scene"], "trajectory": make_trajectory(s), "objects": make_objects(s), **_some(s, "animation"),
             "method": c.Method(name=s.get("method", ""), **_some(s, "spp", "params")),
             "quality": c.Quality(disabled_features=s.get("disable", ()), **_some(s, *OF_QUALITY))}
 

@@ -131,7 +131,8 @@ OF_SENSORS: dict[str, Check] = {name: per_sensor for name in ("threshold", "thre
 SETTINGS: dict[str, Check] = {
     **OF_SENSORS, "size": size, "distortion": distortion, "truth": truth, "trajectory": trajectory, "objects": objects,
     "calibration": calibration, "T_body_camera": place, "further_views": several(f"a list of {PLACE}", place),
-    "scene": text("the name of a scene, one of Client.scenes()"), "method": text("the name of a method"),
+    "scene": text("the name of a scene, one of Client.scenes()"),
+    "animation": text("the name of an animation, one of the scene in Client.scenes()"), "method": text("the name of a method"),
     "motion": text("KIND:SPEED such as 'pan:-15', or a name such as 'right'"), "preset": text("the name of a camera"),
     "disable": several("a list of scene features", text("the name of a scene feature")),
     "intrinsics": numbers_of("(fx, fy, cx, cy), finite numbers", 4),
