@@ -17,7 +17,7 @@ namespace saccade {
 namespace {
 
 const std::vector<OptionalMethod>& optionalMethods() {
-  static const std::vector<OptionalMethod> methods{oidnMethod()};
+  static const std::vector<OptionalMethod> methods{oidnMethod(), learnedMethod()};
   return methods;
 }
 

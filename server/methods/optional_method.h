@@ -20,6 +20,9 @@ struct OptionalMethod {
 
 // Open Image Denoise; learned_oidn.cpp, or learned_oidn_absent.cpp of a build without the library.
 OptionalMethod oidnMethod();
+// The network that SACCADE_LEARNED_MODEL names; learned_onnx.cpp, or learned_onnx_absent.cpp of a build
+// without ONNX Runtime. Reads the file.
+OptionalMethod learnedMethod();
 
 // Why no row of methodTable() has this name.
 std::string noMethod(const std::string& name);
