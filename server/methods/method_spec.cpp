@@ -4,6 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "methods/optional_method.h"
+
 namespace saccade {
 
 bool MethodSpec::takes(int spp) const {
@@ -12,7 +14,7 @@ bool MethodSpec::takes(int spp) const {
 
 MethodSpec parseMethod(const std::string& name, const std::vector<std::string>& settings) {
   const MethodInfo* method = findMethod(name);
-  if (!method) throw std::runtime_error("no method is named \"" + name + "\"; there are: " + methodNames());
+  if (!method) throw std::runtime_error(noMethod(name));
   MethodSpec spec{name, name, {}};
   ParamValues given;
   for (const std::string& setting : settings) {

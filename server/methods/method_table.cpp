@@ -8,13 +8,21 @@
 #include "methods/adaptive_sampling.h"
 #include "methods/event_svgf.h"
 #include "methods/irradiance_cache.h"
+#include "methods/optional_method.h"
 #include "methods/path_traced.h"
 #include "methods/relax.h"
 #include "methods/svgf.h"
 
 namespace saccade {
-const std::vector<MethodInfo>& methodTable() {
-  static const std::vector<MethodInfo> table{
+namespace {
+
+const std::vector<OptionalMethod>& optionalMethods() {
+  static const std::vector<OptionalMethod> methods{oidnMethod(), learnedMethod()};
+  return methods;
+}
+
+std::vector<MethodInfo> makeTable() {
+  std::vector<MethodInfo> table{
       IrradianceCache::info(),  // the default
       EventSvgf::info(),
       Relax::info(),
@@ -25,6 +33,15 @@ const std::vector<MethodInfo>& methodTable() {
       PathTraced::correlatedInfo(),
       PathTraced::independentInfo(),
   };
+  for (const OptionalMethod& method : optionalMethods())
+    if (method.absent.empty()) table.push_back(method.info);
+  return table;
+}
+
+}  // namespace
+
+const std::vector<MethodInfo>& methodTable() {
+  static const std::vector<MethodInfo> table = makeTable();
   return table;
 }
 
@@ -39,6 +56,12 @@ const MethodInfo* findMethod(const std::string& name) {
 
 std::string methodNames() {
   return joinRowNames(methodTable());
+}
+
+std::string noMethod(const std::string& name) {
+  for (const OptionalMethod& method : optionalMethods())
+    if (method.info.name == name) return "there is no method '" + name + "' here: " + method.absent;
+  return "there is no method '" + cutText(name, 64) + "'; there are: " + methodNames();
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "eval/pictures/exr.h"
 #include "scene/scratch.h"
 
 namespace saccade::eval {
@@ -39,6 +40,17 @@ TEST_F(DumpTest, OfAMethodHasNoHalvesNotEvenThoseOfAReferenceBefore) {
   writeChange(folder, 21, makeReference().change);
   EXPECT_FALSE(readHalves(folder, 21));
   EXPECT_EQ(readChange(folder, 21).dI.at(0, 0), 2);
+}
+
+TEST_F(DumpTest, HasTheFeaturesUnderTheirNames) {
+  GBuffer g(2, 1);
+  g.albedo.fill(0.5f), g.emission.fill(3), g.nx.fill(0.1f), g.ny.fill(0.2f), g.nz.fill(0.3f), g.z.fill(7);
+  writeFeatures(folder, 4, g);
+  const ExrPicture picture = readExr(folder + "/features_00004.exr");
+  const std::map<std::string, float> wanted{{"albedo", 0.5f},   {"emission", 3},    {"normal.x", 0.1f},
+                                            {"normal.y", 0.2f}, {"normal.z", 0.3f}, {"Z", 7}};
+  ASSERT_EQ(picture.planes.size(), wanted.size());
+  for (const auto& [name, value] : wanted) EXPECT_EQ(picture.planes.at(name).at(1, 0), value) << name;
 }
 
 TEST_F(DumpTest, FramesInCommonAreSorted) {

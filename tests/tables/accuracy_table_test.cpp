@@ -93,7 +93,7 @@ TEST_F(AccuracyTableTest, FaultsNameFileAndLine) {
       {head, ":2: the names of the columns are missing"},
       {head + "scene,method,spp,cpu_ms,false_events\n", ":2: no column missed_events"},
       {good + "box,pt,1,1,0.01\n", ":8: 5 values for 7 columns"},
-      {good + "box,magic,1,1,0,0,1\n", ":8: no method is named \"magic\""},
+      {good + "box,magic,1,1,0,0,1\n", ":8: there is no method 'magic'"},
       {good + "box,svgf:alpha=9,1,1,0,0,1\n", ":8: alpha: 9 is outside"},
       {good + "box,event_svgf,3,1,0,0,1\n", ":8: event_svgf cannot run at 3 spp"},
       {good + "box,pt,one,1,0,0,1\n", ":8: spp is \"one\""},

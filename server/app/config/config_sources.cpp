@@ -17,8 +17,9 @@ constexpr const char* kPrefix = "SACCADE_";
 // Other programs read these variables (the command saccade, the tests), or saccaded reads them besides its
 // options.
 constexpr const char* kOtherVariables[] = {
-    "SACCADE_CONFIG", "SACCADE_SERVER", "SACCADE_CLIENT_KEY",        "SACCADE_SERVER_KEY", "SACCADE_FULL",
-    "SACCADE_OUT",    "SACCADE_CACHE",  "SACCADE_REFERENCE_RENDERS", "SACCADE_REAL_SCENES"};
+    "SACCADE_CONFIG",      "SACCADE_SERVER",       "SACCADE_CLIENT_KEY", "SACCADE_SERVER_KEY",
+    "SACCADE_FULL",        "SACCADE_OUT",          "SACCADE_CACHE",      "SACCADE_REFERENCE_RENDERS",
+    "SACCADE_REAL_SCENES", "SACCADE_LEARNED_MODEL"};
 
 bool isNumber(const CLI::Option& option) {
   const std::string type = option.get_type_name();

@@ -12,6 +12,7 @@
 #include "app/request/refusal.h"
 #include "base/names.h"
 #include "base/text_cut.h"
+#include "methods/optional_method.h"
 #include "scene/emitter_strengths.h"
 
 namespace saccade {
@@ -31,8 +32,7 @@ void resolveViews(ResolvedStream& stream) {
 
 void checkMethodName(const v1::Method& method) {
   if (method.name().empty() || findMethod(method.name())) return;
-  refuse("method.name",
-         "there is no method '" + cutText(method.name(), kMaxEcho) + "'; there are: " + methodNames());
+  refuse("method.name", noMethod(method.name()));
 }
 
 // checkMethodName() comes first.

@@ -55,6 +55,15 @@ void writeChange(const std::string& folder, int frame, const IntensityChange& ch
   writePlanes(folder, frame, change);
 }
 
+void writeFeatures(const std::string& folder, int frame, const GBuffer& g) {
+  writeExr(fileOf(folder, "features", frame), {{"albedo", &g.albedo},
+                                               {"emission", &g.emission},
+                                               {"normal.x", &g.nx},
+                                               {"normal.y", &g.ny},
+                                               {"normal.z", &g.nz},
+                                               {"Z", &g.z}});
+}
+
 void writeReference(const std::string& folder, int frame, const ReferenceChange& truth) {
   writePlanes(folder, frame, truth.change);
   writeExr(fileOf(folder, "halves", frame), {{"dI_a", &truth.half_a},

@@ -14,6 +14,8 @@ namespace saccade::eval {
 
 // The estimate of a method for the change into `frame`. Halves that a reference left there are removed.
 void writeChange(const std::string& folder, int frame, const IntensityChange& change);
+// The features of frame - 1, whose picture Iprev_N is.
+void writeFeatures(const std::string& folder, int frame, const GBuffer& features);
 // A reference, with its halves.
 void writeReference(const std::string& folder, int frame, const ReferenceChange& truth);
 

@@ -27,6 +27,7 @@ struct FramesOptions : FeedOptions {
   std::vector<std::string> set;
   int reference = 0;
   double bake_error = 0;
+  bool features = false;
   int first = 0, last = 0;
 };
 
@@ -68,7 +69,10 @@ void runMethod(const FramesOptions& o, std::shared_ptr<const RenderScene> scene,
   for (int t = 1; t <= o.last; ++t) {
     const IntensityChange& change = feed.step(pool);
     total += feed.lastTimes();
-    if (t >= o.first && !o.dump.empty()) writeChange(o.dump, t, change);
+    if (t >= o.first && !o.dump.empty()) {
+      writeChange(o.dump, t, change);
+      if (o.features) writeFeatures(o.dump, t, feed.frames().prev.g);
+    }
     progress.add(1);
     if (interrupted()) throw Interrupted{};
   }
@@ -142,6 +146,10 @@ void addFramesCommand(CLI::App& app) {
   c->add_option("--reference", o->reference,
                 "render the reference instead: paths per pixel, rounded up to a multiple of 64")
       ->check(NumberIn(1, 1 << 20));
+  c->add_flag("--features", o->features,
+              "write features_N.exr of a method's frame N - 1 too: albedo, emission, normal, depth")
+      ->needs("--dump")
+      ->excludes("--reference");
   c->add_option("--seed", o->feed.seed, "seed of the random numbers, of a method or of the reference")
       ->check(wholeNumber())
       ->capture_default_str();
