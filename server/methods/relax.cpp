@@ -5,7 +5,7 @@
 
 #include "filter/anti_firefly.h"
 #include "filter/demodulation.h"
-#include "methods/param_fields.h"
+#include "methods/filter_fields.h"
 
 namespace saccade {
 namespace {
@@ -13,22 +13,15 @@ namespace {
 using P = RelaxParams;
 
 const std::vector<ParamField<P>>& fields() {
-  static const std::vector<ParamField<P>> table{
-      {"max_history", &P::max_history, 1, 1024, "frames after which the history counts as full", "RELAX"},
-      {"fast_history", &P::fast_history, 1, 1024, "the same of the history that clamps it", "RELAX"},
-      {"clamp", &P::clamp, 0, 1000,
-       "standard deviations of the fast history that the slow one may be from its mean", "RELAX"},
-      {"anti_firefly", &P::anti_firefly, 0, 1,
-       "1: a pixel beyond all its neighbours takes the value of the nearest", "RELAX"},
-      {"iterations", &P::iterations, 0, 5, "a-trous iterations, of spacing 1, 2, 4, ...", "RELAX"},
-      {"sigma_l", &P::sigma_l, 0.01, 1000, "luminance tolerance of the primal, standard deviations [E (25)]",
-       "RELAX, of diffuse light"},
-      {"sigma_l_diff", &P::sigma_l_diff, 0.01, 1000, "luminance tolerance of the difference",
-       "RELAX, as sigma_l"},
-      {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
-      {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
-      independentNumbersField<P>(&P::independent_numbers),
-  };
+  static const std::vector<ParamField<P>> table = withFilterFields<P>(
+      "RELAX",
+      {{"sigma_l_diff", &P::sigma_l_diff, 0.01, 1000, "luminance tolerance of the difference",
+        "RELAX, as sigma_l"},
+       {"fast_history", &P::fast_history, 1, 1024, "frames of the history that clamps the other", "RELAX"},
+       {"clamp", &P::clamp, 0, 1000,
+        "standard deviations of the fast history that the slow one may be from its mean", "RELAX"},
+       {"anti_firefly", &P::anti_firefly, 0, 1,
+        "1: a pixel beyond all its neighbours takes the value of the nearest", "RELAX"}});
   return table;
 }
 

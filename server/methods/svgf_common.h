@@ -4,7 +4,7 @@
 #include "filter/atrous.h"
 #include "filter/filter_planes.h"
 #include "filter/variance.h"
-#include "methods/param_fields.h"
+#include "methods/filter_fields.h"
 
 namespace saccade {
 
@@ -28,21 +28,13 @@ struct SvgfCommonParams {
 // The rows of these parameters for a method whose parameters P derive from them, followed by `more`.
 template <class P>
 std::vector<ParamField<P>> withCommonFields(const std::vector<ParamField<P>>& more) {
-  std::vector<ParamField<P>> fields{
-      {"alpha", &P::alpha, 0.001, 1, "least weight of the new sample; 1: no history",
-       "paper 5.1 (Falcor: 0.05)"},
-      {"moments_alpha", &P::moments_alpha, 0.001, 1, "least weight of the new sample in the moments",
-       "Falcor"},
-      {"max_history", &P::max_history, 1, 1024, "frames after which the history counts as full", "Falcor"},
-      {"iterations", &P::iterations, 0, 5, "a-trous iterations, of spacing 1, 2, 4, ...", "Falcor"},
-      {"feedback_tap", &P::feedback_tap, -1, 4, "iteration whose result becomes the history; -1: none",
-       "Falcor"},
-      {"sigma_l", &P::sigma_l, 0.01, 1000, "luminance tolerance of the primal, standard deviations [E (25)]",
-       "Falcor"},
-      {"sigma_n", &P::sigma_n, 0, 1024, "normal exponent [E (24)]", "Falcor"},
-      {"sigma_z", &P::sigma_z, 0.01, 1000, "depth tolerance, slopes [E (23)]", "Falcor"},
-      independentNumbersField<P>(&P::independent_numbers),
-  };
+  std::vector<ParamField<P>> fields = withFilterFields<P>(
+      "Falcor", {{"alpha", &P::alpha, 0.001, 1, "least weight of the new sample; 1: no history",
+                  "paper 5.1 (Falcor: 0.05)"},
+                 {"moments_alpha", &P::moments_alpha, 0.001, 1,
+                  "least weight of the new sample in the moments", "Falcor"},
+                 {"feedback_tap", &P::feedback_tap, -1, 4,
+                  "iteration whose result becomes the history; -1: none", "Falcor"}});
   fields.insert(fields.end(), more.begin(), more.end());
   return fields;
 }

@@ -32,6 +32,7 @@ std::vector<Part> parts() {
                             {"photoreceptor", {.photoreceptor_hz = 300}},
                             {"photoreceptor, follower", {.photoreceptor_hz = 300, .follower_hz = 1000}},
                             {"photoreceptor, asymmetry", {.photoreceptor_hz = 300, .asymmetry = 1}},
+                            {"dark current 0.01", {.dark_luminance = 0.01}},
                             {"leak of the level 0.1 Hz", {.level_leak_hz = 0.1}},
                             {"Brownian motion 0.1 Hz", {.brownian_hz = 0.1}},
                             {"leak 0.1 Hz", {.leak_hz = 0.1}},

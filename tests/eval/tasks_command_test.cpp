@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -45,9 +46,9 @@ TEST_F(TasksCommand, WritesARowForEachTaskSourceAndNoise) {
                   "--repeats 1 --threshold 0.1 --noise none,davis346"),
             0)
       << text("log");
-  EXPECT_EQ(rowsWith(",reference,64,"), 2 * 5);
-  EXPECT_EQ(rowsWith(",none,"), 5 + 2 * 2 * 5);
-  EXPECT_EQ(rowsWith(",davis346,"), 5 + 2 * 2 * 5);
+  EXPECT_EQ(rowsWith(",reference,64,"), 2 * 6);
+  EXPECT_EQ(rowsWith(",none,"), 6 + 2 * 2 * 6);
+  EXPECT_EQ(rowsWith(",davis346,"), 6 + 2 * 2 * 6);
   EXPECT_EQ(rowsWith(",rotation,") + rowsWith(",moving_objects,"), 0);
   EXPECT_NE(text("out/cornell-box.svg").find("complementary"), std::string::npos);
   expectSaid("cornell-box, noise of davis346");
@@ -63,17 +64,33 @@ TEST_F(TasksCommand, ScoresWhatMovesAndWhatTurns) {
   EXPECT_EQ(rowsWith("cornell-bunny,"), 4);
 }
 
+// This camera looks along -z of the world. In the world's axes its velocity would be wrong by 2 of itself.
+TEST_F(TasksCommand, ScoresTheVelocityInTheAxesOfTheCamera) {
+  ASSERT_EQ(
+      tasks("cornell-box --size 48x36 --frames 1:16 --motion truck:1px --methods svgf --spp 2 --repeats 1 "
+            "--noise none --tasks ego_velocity"),
+      0)
+      << text("log");
+  const std::string table = text("out/tasks.csv"), source = ",ego_velocity,reference,";
+  double cpu_ms = 0, events = 0, error = 0;
+  const auto place = table.find(source);
+  ASSERT_NE(place, table.npos);
+  ASSERT_EQ(std::sscanf(table.c_str() + place + source.size(), "%*d,%lf,%lf,%lf", &cpu_ms, &events, &error),
+            3);
+  EXPECT_LT(error, 0.6);
+}
+
 TEST_F(TasksCommand, RefusesWrongFlags) {
   EXPECT_EQ(tasks("cornell-box --tasks driving"), 2);
   expectSaid(
-      "there is no \"driving\"; there are: normal_flow, patch_flow, rotation, moving_objects, high_pass, "
-      "complementary, corner_tracks");
+      "there is no \"driving\"; there are: normal_flow, patch_flow, rotation, ego_velocity, moving_objects, "
+      "high_pass, complementary, corner_tracks");
   EXPECT_EQ(tasks("cornell-box --noise eye"), 2);
   expectSaid("there is no \"eye\"; there are: none, davis346, ");
   EXPECT_EQ(tasks("cornell-box --methods event_svgf --spp 3"), 2);
   EXPECT_EQ(tasks(""), 2);
   EXPECT_EQ(tasks("cornell-box --size 8x8 --frames 1:2 --motion truck:1px --tasks rotation"), 1);
-  expectSaid("no task applies; rotation needs a camera that only turns");
+  expectSaid("no task applies; rotation needs a camera that only turns, ego_velocity one that goes");
 }
 
 }  // namespace

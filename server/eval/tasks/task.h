@@ -36,6 +36,7 @@ const std::vector<Task>& taskTable();
 TaskScore scoreNormalFlow(const TaskInput& input);
 TaskScore scorePatchFlow(const TaskInput& input);
 TaskScore scoreRotation(const TaskInput& input);
+TaskScore scoreEgoVelocity(const TaskInput& input);
 TaskScore scoreMovingObjects(const TaskInput& input);
 TaskScore scoreHighPass(const TaskInput& input);
 TaskScore scoreComplementary(const TaskInput& input);

@@ -17,8 +17,8 @@ class TaskRuns {
       if (task->applies(truth_)) tasks_.push_back(task);
     if (tasks_.empty())
       throw std::runtime_error(plan.scene +
-                               ": no task applies; rotation needs a camera that only turns, and "
-                               "moving_objects a body that moves");
+                               ": no task applies; rotation needs a camera that only turns, ego_velocity "
+                               "one that goes, and moving_objects a body that moves");
   }
 
   // Rows without scores, for each sensor and task.

@@ -11,6 +11,10 @@ bool turns(const TaskTruth& truth) {
   return truth.onlyTurns();
 }
 
+bool goes(const TaskTruth& truth) {
+  return truth.goes();
+}
+
 bool hasBodies(const TaskTruth& truth) {
   return truth.hasBodies();
 }
@@ -25,6 +29,8 @@ const std::vector<Task>& taskTable() {
        scorePatchFlow},
       {"rotation", "angular velocity of a camera that only turns, by contrast maximisation",
        "mean relative error", turns, scoreRotation},
+      {"ego_velocity", "velocity of a camera that goes, by flow across edges, depth and a gyroscope",
+       "mean relative error", goes, scoreEgoVelocity},
       {"moving_objects", "events of bodies that move, under a moving camera", "1 - area under ROC", hasBodies,
        scoreMovingObjects},
       {"high_pass", "changes of log intensity, from events alone", "1 - correlation", always, scoreHighPass},

@@ -6,6 +6,7 @@
 #include "base/log_ratio.h"
 #include "eval/bench/interrupt.h"
 #include "eval/metrics/for_each_pixel.h"
+#include "frame/pixel_before.h"
 
 namespace saccade::eval {
 namespace {
@@ -32,6 +33,12 @@ Image<std::uint32_t> bodiesOf(const GBuffer& cur, const GBuffer& prev) {
   return body;
 }
 
+// Both parts in the camera's axes.
+Velocity cameraAt(const Trajectory& path, TimeNs t) {
+  const Velocity v = path.velocityAt(t);
+  return {rotate(inverse(path.at(t)).rotation, v.linear), v.angular};
+}
+
 TruthFrame frameOf(const Feed& feed, const IntensityChange& truth, double bias) {
   const RenderedInterval interval = *feed.interval().rendered;
   const GBuffer &cur = interval.frames.cur.g, &prev = interval.frames.prev.g;
@@ -43,7 +50,19 @@ TruthFrame frameOf(const Feed& feed, const IntensityChange& truth, double bias) 
           flowOf(cur.motion_y, interval_s),
           bodiesOf(cur, prev),
           logPicture(truth.I_now, bias),
-          interval.path.velocityAt((truth.t0 + truth.t1) / 2)};
+          cameraAt(interval.path, (truth.t0 + truth.t1) / 2)};
+}
+
+// The pixel of the least depth within a pixel of a position.
+PixelPlace nearestAround(const ImageF& z, Vec2 position) {
+  const int x = std::clamp(static_cast<int>(std::lround(position.x)), 0, z.width() - 1);
+  const int y = std::clamp(static_cast<int>(std::lround(position.y)), 0, z.height() - 1);
+  PixelPlace nearest{x, y};
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, z.height() - 1); ++v) {
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, z.width() - 1); ++u)
+      if (z.at(u, v) < z.at(nearest.x, nearest.y)) nearest = {u, v};
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -77,15 +96,14 @@ const TruthFrame& TaskTruth::frameAt(TimeNs t) const {
 
 Vec2 TaskTruth::flowAt(Vec2 position, TimeNs t) const {
   const TruthFrame& frame = frameAt(t);
-  const int width = frame.z.width(), height = frame.z.height();
-  const int x = std::clamp(static_cast<int>(std::lround(position.x)), 0, width - 1);
-  const int y = std::clamp(static_cast<int>(std::lround(position.y)), 0, height - 1);
-  int near_x = x, near_y = y;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
-      if (frame.z.at(u, v) < frame.z.at(near_x, near_y)) near_x = u, near_y = v;
-  }
-  return {frame.flow_x.at(near_x, near_y), frame.flow_y.at(near_x, near_y)};
+  const PixelPlace p = nearestAround(frame.z, position);
+  return {frame.flow_x.at(p.x, p.y), frame.flow_y.at(p.x, p.y)};
+}
+
+float TaskTruth::depthAt(Vec2 position, TimeNs t) const {
+  const TruthFrame& frame = frameAt(t);
+  const PixelPlace p = nearestAround(frame.z, position);
+  return frame.z.at(p.x, p.y);
 }
 
 Vec2 TaskTruth::carried(Vec2 position, TimeNs from, TimeNs to) const {
@@ -111,6 +129,11 @@ bool TaskTruth::onlyTurns() const {
   return std::all_of(frames.begin(), frames.end(), [](const TruthFrame& frame) {
     return length(frame.camera.linear) == 0 && length(frame.camera.angular) > 0;
   });
+}
+
+bool TaskTruth::goes() const {
+  return std::all_of(frames.begin(), frames.end(),
+                     [](const TruthFrame& frame) { return length(frame.camera.linear) > 0; });
 }
 
 }  // namespace saccade::eval

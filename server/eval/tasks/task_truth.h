@@ -14,7 +14,7 @@ struct TruthFrame {
   ImageF flow_x, flow_y;      // of the surface, mean over the interval, pixels per second
   Image<std::uint32_t> body;  // 1 where a body is shown at t0 or t1, else 0
   ImageF L;                   // log(I_eps + I)
-  Velocity camera;            // in the middle of the interval
+  Velocity camera;            // in its own axes, in the middle of the interval
 };
 
 struct TaskTruth {
@@ -27,11 +27,13 @@ struct TaskTruth {
   // Pixels per second. Of the nearest surface within a pixel of (x, y), because an edge belongs to the
   // surface in front. A position outside the picture counts as the nearest pixel.
   Vec2 flowAt(Vec2 position, TimeNs t) const;
+  float depthAt(Vec2 position, TimeNs t) const;  // of the same surface, scene units
   // Where a point that is at `position` at `from` is at `to`, which is not before: it follows the flow.
   Vec2 carried(Vec2 position, TimeNs from, TimeNs to) const;
 
   bool hasBodies() const;  // whether some pixels show a body, and others do not
   bool onlyTurns() const;  // whether the camera turns, and moves in no other way
+  bool goes() const;       // whether the camera changes its place in all frames
 };
 
 // log(I_eps + I) by pixel.
