@@ -95,8 +95,9 @@ TEST(Odds, WriteARowForEachRangeAndAPanelForEachScene) {
 TEST(Figure, NamesTheFiguresThatThereAre) {
   ScratchFolder folder;
   EXPECT_EQ(figure("13", folder), 2);
-  EXPECT_NE(textOf(folder.at("log")).find("there is no figure '13'; there are: 5, 6, 7, 8, 9, 10, 11, 12"),
-            std::string::npos)
+  EXPECT_NE(
+      textOf(folder.at("log")).find("there is no figure '13'; there are: 5, 6, 7, 8, 9, 10, 11, 12, all"),
+      std::string::npos)
       << textOf(folder.at("log"));
 }
 
@@ -111,6 +112,28 @@ TEST(Figure6, NamesItsFilesAfterTheScene) {
     EXPECT_NE(svg.find(word), std::string::npos) << word;
   EXPECT_NE(textOf(folder.at("out/figure6.csv")).find("\ncornell-box,pt,2,"), std::string::npos);
   EXPECT_NE(textOf(folder.at("out/index.html")).find("src=\"figure6_cornell-box.svg\""), std::string::npos);
+}
+
+// A flag counts for the figures that have it: 5 and 7 have no --repeats. A body moves.
+TEST(FigureAll, MakesEveryFigureAndOnePage) {
+  ScratchFolder folder;
+  ASSERT_EQ(figure("all cornell-box --size 12x12 --frames 2:3 --repeats 1 --quick "
+                   "--object tall_block=slide:-0.03/frame",
+                   folder),
+            0)
+      << textOf(folder.at("log"));
+  const std::string page = textOf(folder.at("out/index.html"));
+  for (const char* picture : {"5", "6_cornell-box", "7_cornell-box", "8_cornell-box", "9_cornell-box", "10",
+                              "10_cornell-box_forward", "11_cornell-box", "12_cornell-box"})
+    EXPECT_NE(page.find("src=\"figure" + std::string(picture) + ".svg\""), std::string::npos) << picture;
+  for (const char* table : {"5", "6", "7", "8", "9", "10", "11", "12"}) {
+    const std::string csv = textOf(folder.at("out/figure" + std::string(table) + ".csv"));
+    EXPECT_NE(csv.find(" size=12x12 "), std::string::npos) << table;
+    EXPECT_NE(csv.find(" object=\"tall_block=slide:-0.03/frame\""), std::string::npos) << table;
+    EXPECT_NE(csv.find("\ncornell-box"), std::string::npos) << table;
+  }
+  EXPECT_NE(textOf(folder.at("out/figure6.csv")).find("\ncornell-box,relax,32,"), std::string::npos);
+  EXPECT_NE(textOf(folder.at("out/figure6.csv")).find(" repeats=1"), std::string::npos);
 }
 
 TEST(Figure7, RefusesAPixelOutsideThePicture) {
