@@ -1,4 +1,4 @@
-// `saccade-eval figure N` and `odds` as a user runs them, on very small pictures.
+// `saccade-eval figure N`, `odds` and `chart --budgets` as a user runs them, on very small pictures.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -80,6 +80,23 @@ TEST(Figure7, LivesWithAStandingCamera) {
     EXPECT_NE(line.find(",0.01,0,0,0,0,0,"), line.npos) << line;
   }
   EXPECT_EQ(rows, 6);
+}
+
+// A row for each method and budget. The paths that fit join the table that servers read.
+TEST(Chart, ComparesAtEqualTime) {
+  ScratchFolder folder;
+  ASSERT_EQ(run("chart cornell-box --size 16x16 --frames 2:3 --repeats 1 --spp 2 --methods pt,svgf "
+                "--budgets 1,8",
+                folder),
+            0)
+      << textOf(folder.at("log"));
+  const std::string budgets = textOf(folder.at("out/budgets.csv")), log = textOf(folder.at("log"));
+  EXPECT_EQ(linesOf(budgets), 2 + 2 * 2);
+  for (const char* part : {"cornell-box, 8 times the time of two paths: ", "| scene | 1 times | 8 times |"})
+    EXPECT_NE(log.find(part), std::string::npos) << part;
+  const std::string results = textOf(folder.at("out/results.csv"));
+  EXPECT_NE(results.find("\ncornell-box,irradiance_cache,2,"), std::string::npos) << results;
+  EXPECT_GT(linesOf(results), 2 + 3);  // more than those of 2 paths
 }
 
 TEST(Odds, WriteARowForEachRangeAndAPanelForEachScene) {
