@@ -21,21 +21,28 @@ BenchOptions sequence() {
   return o;
 }
 
+// All methods but one.
+std::vector<std::string> without(const std::string& method) {
+  std::vector<std::string> methods = comparedMethods();
+  std::erase(methods, method);
+  return methods;
+}
+
 }  // namespace
 
-// Figures 5, 6, 7, 10 and 12 take every method. Figure 8 takes path tracing, the methods that the paper and
-// its rivals show with many paths, and two of 2 paths beside them. Figure 9 has the parts of EventSVGF, and
-// Figure 11 each method with a tolerance of luminance.
+// Figures 5, 6, 7, 10 and 12 take every method, but adaptive sampling of few paths: it is path tracing then.
+// Figure 8 takes path tracing, the methods that are published with many paths, and two of few paths beside
+// them. Figure 9 has the parts of EventSVGF, and Figure 11 each method with a tolerance of luminance.
 const std::vector<Figure>& figureTable() {
-  static const std::vector<std::string> all = comparedMethods();
+  static const std::vector<std::string> all = comparedMethods(), of_few_paths = without("adaptive_sampling");
   static const std::vector<Figure> table{
-      {{5, sequence(), {"cornell-bunny"}, all, {2, 8}, {}, {0.05, 0.1, 0.2, 0.5}},
+      {{5, sequence(), {"cornell-bunny"}, of_few_paths, {2, 8}, {}, {0.05, 0.1, 0.2, 0.5}},
        "false events against the noise of dL, at several thresholds",
        runNoiseLaw},
       {{6, frames("17:21", 2), {}, all, {2, 4, 32}},
        "every method side by side, on every scene",
        runComparison},
-      {{7, sequence(), {"cornell-bunny"}, all, {2}, {}, {0.1, 0.2, 0.5}, std::vector<int>{}},
+      {{7, sequence(), {"cornell-bunny"}, of_few_paths, {2}, {}, {0.1, 0.2, 0.5}, std::vector<int>{}},
        "brightness of one pixel over time and by frequency; reconstructions of brightness compared",
        runBrightness},
       {{8,
@@ -53,13 +60,18 @@ const std::vector<Figure>& figureTable() {
         {2}},
        "EventSVGF with one part switched off, and with motion alignment",
        runComparison},
-      {{10, frames("21", 4), {"cornell-bunny"}, all, {2}, {0.1, 0.25, 0.33, 0.67, 1, 1.5, 2, 4, 8, 16}},
+      {{10,
+        frames("21", 4),
+        {"cornell-bunny"},
+        of_few_paths,
+        {2},
+        {0.1, 0.25, 0.33, 0.67, 1, 1.5, 2, 4, 8, 16}},
        "errors against the speed of the camera, to the right and forward",
        runSpeeds},
       {{11, frames("17:21", 2), {"cornell-bunny"}, luminanceSweep({"1", "4", "10", "40"}), {2}},
        "methods with other luminance tolerances",
        runComparison},
-      {{12, frames("17:21", 2), {"textured-cornell-box"}, all, {2}},
+      {{12, frames("17:21", 2), {"textured-cornell-box"}, of_few_paths, {2}},
        "fine texture: pixel centres without and with mips, and paths from all over the pixel",
        runSampling},
   };
