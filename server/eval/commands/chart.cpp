@@ -68,14 +68,6 @@ std::vector<EqualTimeRow> runScene(const ChartOptions& o, const std::string& sce
   return measureEqualTimes(bench, sceneName(scene), o.methods, o.budgets, o.bench, table, times);
 }
 
-void writeEqualTimes(const ChartOptions& o, const std::vector<EqualTimeRow>& rows) {
-  if (rows.empty()) return;
-  std::fputs((textOf(rows) + '\n' + markdownOf(rows)).c_str(), stdout);
-  const std::string path = (std::filesystem::path(o.output) / "budgets.csv").string();
-  writeText(path, "# " + o.bench.text() + '\n' + csvOf(rows));
-  std::printf("wrote %s\n", path.c_str());
-}
-
 bool isComplete(const ChartOptions& o, const ResultTable& table) {
   for (const std::string& scene : o.scenes) {
     for (const std::string& method : o.methods) {
@@ -101,7 +93,8 @@ void renderChart(const ChartOptions& o, ResultTable& table) {
   } catch (const Interrupted&) {
     throw std::runtime_error("interrupted; the same command continues where it stopped");
   }
-  writeEqualTimes(o, equal);
+  if (!equal.empty())
+    writeEqualTimes(equal, o.bench.text(), (std::filesystem::path(o.output) / "budgets.csv").string());
   const std::string chart = drawAccuracyChart(o, table);
   page.heading("Accuracy against time");
   page.svg(chart);

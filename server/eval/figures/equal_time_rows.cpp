@@ -1,6 +1,7 @@
 #include "eval/figures/equal_time_rows.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <sstream>
 
@@ -98,6 +99,12 @@ std::string markdownOf(const std::vector<Row>& rows) {
     body += '\n';
   }
   return head + '\n' + rule + '\n' + body;
+}
+
+void writeEqualTimes(const std::vector<Row>& rows, const std::string& settings, const std::string& path) {
+  std::printf("%s\n%s", textOf(rows).c_str(), markdownOf(rows).c_str());
+  writeText(path, "# " + settings + '\n' + csvOf(rows));
+  std::printf("wrote %s\n", path.c_str());
 }
 
 }  // namespace saccade::eval

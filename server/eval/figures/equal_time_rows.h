@@ -19,4 +19,8 @@ std::string textOf(const std::vector<EqualTimeRow>& rows);
 // fewest false and missed events, its paths, and these events. The best other one follows it.
 std::string markdownOf(const std::vector<EqualTimeRow>& rows);
 
+// Prints both texts, and writes the CSV below a line with the settings. Throws std::runtime_error.
+void writeEqualTimes(const std::vector<EqualTimeRow>& rows, const std::string& settings,
+                     const std::string& path);
+
 }  // namespace saccade::eval
