@@ -1,4 +1,4 @@
-// `saccade-eval figure N` and `odds` as a user runs them, on very small pictures.
+// `saccade-eval figure N`, `odds` and `chart --budgets` as a user runs them, on very small pictures.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -82,6 +82,23 @@ TEST(Figure7, LivesWithAStandingCamera) {
   EXPECT_EQ(rows, 6);
 }
 
+// A row for each method and budget. The paths that fit join the table that servers read.
+TEST(Chart, ComparesAtEqualTime) {
+  ScratchFolder folder;
+  ASSERT_EQ(run("chart cornell-box --size 16x16 --frames 2:3 --repeats 1 --spp 2 --methods pt,svgf "
+                "--budgets 1,8",
+                folder),
+            0)
+      << textOf(folder.at("log"));
+  const std::string budgets = textOf(folder.at("out/budgets.csv")), log = textOf(folder.at("log"));
+  EXPECT_EQ(linesOf(budgets), 2 + 2 * 2);
+  for (const char* part : {"cornell-box, 8 times the time of two paths: ", "| scene | 1 times | 8 times |"})
+    EXPECT_NE(log.find(part), std::string::npos) << part;
+  const std::string results = textOf(folder.at("out/results.csv"));
+  EXPECT_NE(results.find("\ncornell-box,irradiance_cache,2,"), std::string::npos) << results;
+  EXPECT_GT(linesOf(results), 2 + 3);  // more than those of 2 paths
+}
+
 TEST(Odds, WriteARowForEachRangeAndAPanelForEachScene) {
   ScratchFolder folder;
   ASSERT_EQ(run("odds cornell-box cornell-bunny --size 16x16 --frames 2:3 --spp 2,4", folder), 0)
@@ -95,8 +112,9 @@ TEST(Odds, WriteARowForEachRangeAndAPanelForEachScene) {
 TEST(Figure, NamesTheFiguresThatThereAre) {
   ScratchFolder folder;
   EXPECT_EQ(figure("13", folder), 2);
-  EXPECT_NE(textOf(folder.at("log")).find("there is no figure '13'; there are: 5, 6, 7, 8, 9, 10, 11, 12"),
-            std::string::npos)
+  EXPECT_NE(
+      textOf(folder.at("log")).find("there is no figure '13'; there are: 5, 6, 7, 8, 9, 10, 11, 12, all"),
+      std::string::npos)
       << textOf(folder.at("log"));
 }
 
@@ -111,6 +129,28 @@ TEST(Figure6, NamesItsFilesAfterTheScene) {
     EXPECT_NE(svg.find(word), std::string::npos) << word;
   EXPECT_NE(textOf(folder.at("out/figure6.csv")).find("\ncornell-box,pt,2,"), std::string::npos);
   EXPECT_NE(textOf(folder.at("out/index.html")).find("src=\"figure6_cornell-box.svg\""), std::string::npos);
+}
+
+// A flag counts for the figures that have it: 5 and 7 have no --repeats. A body moves.
+TEST(FigureAll, MakesEveryFigureAndOnePage) {
+  ScratchFolder folder;
+  ASSERT_EQ(figure("all cornell-box --size 12x12 --frames 2:3 --repeats 1 --quick "
+                   "--object tall_block=slide:-0.03/frame",
+                   folder),
+            0)
+      << textOf(folder.at("log"));
+  const std::string page = textOf(folder.at("out/index.html"));
+  for (const char* picture : {"5", "6_cornell-box", "7_cornell-box", "8_cornell-box", "9_cornell-box", "10",
+                              "10_cornell-box_forward", "11_cornell-box", "12_cornell-box"})
+    EXPECT_NE(page.find("src=\"figure" + std::string(picture) + ".svg\""), std::string::npos) << picture;
+  for (const char* table : {"5", "6", "7", "8", "9", "10", "11", "12"}) {
+    const std::string csv = textOf(folder.at("out/figure" + std::string(table) + ".csv"));
+    EXPECT_NE(csv.find(" size=12x12 "), std::string::npos) << table;
+    EXPECT_NE(csv.find(" object=\"tall_block=slide:-0.03/frame\""), std::string::npos) << table;
+    EXPECT_NE(csv.find("\ncornell-box"), std::string::npos) << table;
+  }
+  EXPECT_NE(textOf(folder.at("out/figure6.csv")).find("\ncornell-box,relax,32,"), std::string::npos);
+  EXPECT_NE(textOf(folder.at("out/figure6.csv")).find(" repeats=1"), std::string::npos);
 }
 
 TEST(Figure7, RefusesAPixelOutsideThePicture) {

@@ -76,7 +76,11 @@ std::vector<StabilityCase> bodyPlaceCases() {
       {{"event_svgf", 0.0576}, {"irradiance_cache", 0.0386}});
   add(movingThings("body_small_and_fast", "it covers other pixels in every frame",
                    {"marble=slide:0.15/frame"}),
-      {{"event_svgf", 0.00387}, {"irradiance_cache", 0.00178}});
+      {{"event_svgf", 0.00387},
+       {"irradiance_cache",
+        0.00178,
+        {"adaptive_denoising"},
+        "by a tenth; light hardly changes, and adaptive_denoising sees only what moves"}});
   add(movingThings("body_jumps", "it is elsewhere at once", {"ball=" + ownTrajectory("ball_jumps")}),
       {{"event_svgf", 0.144}, {"irradiance_cache", 0.0719}});
   add(movingThings("body_passes", "it enters the view, and leaves it",

@@ -18,7 +18,7 @@ std::vector<StabilityCase> lightCases() {
              "it misses fewer events, but a firefly in a difference makes twice as many false ones"},
             {"irradiance_cache",
              0.88,
-             {"svgf", "svgf:as_falcor=1", "event_svgf"},
+             {"svgf", "svgf:as_falcor=1", "event_svgf", "relax", "a_svgf"},
              "it makes half as many false events, but misses more: so few paths are no proof of a spot"}}},
       {.name = "open_sky",
        .why = "light comes from everywhere, and behind the horizon there is no surface",

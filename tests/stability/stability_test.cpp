@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "base/default_cache.h"
+#include "eval/bench/compared_methods.h"
 #include "stability/measure.h"
 #include "stability/table.h"
 #include "stability/verdict.h"
@@ -55,8 +56,7 @@ const auto* const kWriteTable = ::testing::AddGlobalTestEnvironment(new WriteTab
 
 std::vector<MethodSpec> methods() {
   std::vector<MethodSpec> specs;
-  for (const MethodInfo& method : methodTable()) specs.push_back(parseMethod(method.name));
-  specs.push_back(parseMethod("svgf:as_falcor=1"));
+  for (const std::string& text : eval::comparedMethods()) specs.push_back(parseMethod(text));
   return specs;
 }
 

@@ -9,8 +9,8 @@ namespace saccade::test {
 void expectSound(const StabilityCase& c, const MethodFigures& figures);
 
 // Of the method of a claim: it keeps its bound, and does not clearly lose to a rival unless the case gives
-// the reason. The rivals do not change, so that losing to them is a regression. A better method may join the
-// table of methods: the suite only reports where it wins.
+// the reason. Each method of the table is a rival of the default method. Other claimed methods have rivals
+// that do not change, so that losing to them is a regression.
 void expectKept(const Claim& claim, const StabilityCase& c, const MethodFigures& figures);
 
 // Of the method of a claim: it is no worse than `before`, when the camera saw the same a lap earlier.

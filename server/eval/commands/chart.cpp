@@ -14,6 +14,7 @@
 #include "eval/commands/commands.h"
 #include "eval/figures/accuracy_chart.h"
 #include "eval/figures/change_pictures.h"
+#include "eval/figures/equal_time_rows.h"
 #include "eval/pictures/page.h"
 #include "eval/pictures/text.h"
 
@@ -23,6 +24,7 @@ namespace {
 struct ChartOptions : AccuracyChart {
   BenchOptions bench;
   std::vector<std::string> within;
+  std::vector<double> budgets;
   std::string output = defaultCache() + "/chart";
   int pictures_spp = 2;
 };
@@ -37,9 +39,10 @@ std::string describe(const std::string& text) {
   return description;
 }
 
-// Measures the missing rows of one scene, and adds pictures of all methods at one spp to the page.
-void runScene(const ChartOptions& o, const std::string& scene, TilePool& pool, ResultTable& table,
-              Page& page) {
+// Measures the missing rows of one scene, and adds pictures of all methods at one spp to the page. Returns
+// the rows of equal time, of --budgets.
+std::vector<EqualTimeRow> runScene(const ChartOptions& o, const std::string& scene, TilePool& pool,
+                                   ResultTable& table, Page& page) {
   BenchSetup setup = o.bench.setup;
   setup.scene = scene;
   const Bench bench(setup, pool);
@@ -61,6 +64,8 @@ void runScene(const ChartOptions& o, const std::string& scene, TilePool& pool, R
   pictures.addReference("reference", truth, bench.referenceError());
   page.heading(format("%s: %.2f px per frame", sceneName(scene).c_str(), bench.medianPxPerFrame()));
   page.svg(pictures.draw());
+  if (o.budgets.empty()) return {};
+  return measureEqualTimes(bench, sceneName(scene), o.methods, o.budgets, o.bench, table, times);
 }
 
 bool isComplete(const ChartOptions& o, const ResultTable& table) {
@@ -80,12 +85,16 @@ void renderChart(const ChartOptions& o, ResultTable& table) {
   Page page("Saccade: accuracy against time");
   page.paragraph("Settings: " + o.bench.text() + ". CPU time is the sum over all threads.");
   for (const std::string& method : o.methods) page.paragraph(describe(method));
+  std::vector<EqualTimeRow> equal;
   watchInterrupt();
   try {
-    for (const std::string& scene : o.scenes) runScene(o, scene, pool, table, page);
+    for (const std::string& scene : o.scenes)
+      for (EqualTimeRow& row : runScene(o, scene, pool, table, page)) equal.push_back(std::move(row));
   } catch (const Interrupted&) {
     throw std::runtime_error("interrupted; the same command continues where it stopped");
   }
+  if (!equal.empty())
+    writeEqualTimes(equal, o.bench.text(), (std::filesystem::path(o.output) / "budgets.csv").string());
   const std::string chart = drawAccuracyChart(o, table);
   page.heading("Accuracy against time");
   page.svg(chart);
@@ -106,7 +115,7 @@ void runChart(ChartOptions& o) {
   requireTableNames(o.scenes);
 
   ResultTable table((std::filesystem::path(o.output) / "results.csv").string(), o.bench.text());
-  if (limits.empty() || !isComplete(o, table)) renderChart(o, table);
+  if (limits.empty() || !o.budgets.empty() || !isComplete(o, table)) renderChart(o, table);
   for (const Within& limit : limits)
     std::fputs(answerWithin(readAccuracyTable(table.path()), limit).c_str(), stdout);
 }
@@ -128,8 +137,13 @@ void addChartCommand(CLI::App& app) {
                 "at most 0.02 "
                 "false events per pixel and frame. A complete table is not measured again")
       ->check(readBy(parseWithin));
+  c->add_option("--budgets", o->budgets,
+                "compare at equal CPU time: 4 takes as many paths as fit 4 times the time of the default "
+                "method at two paths")
+      ->delimiter(',')
+      ->check(NumberIn(1e-3, 1e3));
   addBenchOptions(*c, o->bench);
-  c->add_option("-o,--output", o->output, "folder for results.csv, chart.svg and index.html")
+  c->add_option("-o,--output", o->output, "folder for results.csv, chart.svg, index.html, and budgets.csv")
       ->check(CLI::Validator(newFolderFault, ""))
       ->capture_default_str();
   c->callback([o] { runChart(*o); });

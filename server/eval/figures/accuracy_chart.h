@@ -4,15 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "eval/bench/compared_methods.h"
 #include "eval/bench/results.h"
 
 namespace saccade::eval {
 
 struct AccuracyChart {
   std::vector<std::string> scenes;  // names or paths, see open_scene.h
-  std::vector<std::string> methods{
-      "irradiance_cache",   "event_svgf",        "relax",         "svgf", "svgf:as_falcor=1", "a_svgf",
-      "adaptive_denoising", "adaptive_sampling", "pt-correlated", "pt"};
+  std::vector<std::string> methods = comparedMethods();
   std::vector<int> spp{1, 2, 4, 8, 32, 128};
   std::vector<std::string> metrics{"dI_l1",         "dL_l1",    "false_events",
                                    "missed_events", "sigma_dL", "voxel_error"};

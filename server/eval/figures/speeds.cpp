@@ -22,10 +22,10 @@ std::string rowName(const std::string& scene, const std::string& motion, double 
 }
 
 // Runs one speed: a column of the pictures, dL of the truth and of every method.
-void runSpeed(const FigureOptions& o, const std::string& motion, double speed, TilePool& pool,
-              ResultTable& table, std::vector<std::vector<GridPicture>>& rows) {
+void runSpeed(const FigureOptions& o, const std::string& scene, const std::string& motion, double speed,
+              TilePool& pool, ResultTable& table, std::vector<std::vector<GridPicture>>& rows) {
   BenchSetup setup = o.bench.setup;
-  setup.scene = o.scenes.front(), setup.trajectory = motion, setup.px_per_frame = speed;
+  setup.scene = scene, setup.trajectory = motion, setup.px_per_frame = speed;
   const Bench bench(setup, pool);
   const auto bias = static_cast<float>(o.bench.bias);
   const IntensityChange& truth = bench.truth().back().change;
@@ -43,17 +43,17 @@ void runSpeed(const FigureOptions& o, const std::string& motion, double speed, T
   }
 }
 
-ChartPanel makePanel(const FigureOptions& o, const ResultTable& table, const std::string& motion,
-                     double Score::*metric) {
+ChartPanel makePanel(const FigureOptions& o, const ResultTable& table, const std::string& scene,
+                     const std::string& motion, double Score::*metric) {
   const ScoreColumn& column = columnOf(metric);
-  ChartPanel panel{sceneName(o.scenes.front()) + ", " + motion,
+  ChartPanel panel{sceneName(scene) + ", " + motion,
                    "pixels per frame",
                    std::string(column.label) + " (lower is better)",
                    {}};
   for (const std::string& method : o.methods) {
     ChartLine line{method, {}};
     for (const double speed : o.speeds) {
-      const Result* r = table.find(rowName(o.scenes.front(), motion, speed), method, o.spp.front());
+      const Result* r = table.find(rowName(scene, motion, speed), method, o.spp.front());
       if (r && r->score.*metric > 0) {
         const double error = r->seed_error.*metric;
         line.points.push_back({speed, r->score.*metric, "", std::isfinite(error) ? error : 0});
@@ -64,23 +64,32 @@ ChartPanel makePanel(const FigureOptions& o, const ResultTable& table, const std
   return panel;
 }
 
+// Pictures of one scene and motion at all speeds.
+void runMotion(const FigureOptions& o, const std::string& scene, const std::string& motion, TilePool& pool,
+               ResultTable& table) {
+  std::vector<std::string> columns, names{"dL of the reference"};
+  names.insert(names.end(), o.methods.begin(), o.methods.end());
+  std::vector<std::vector<GridPicture>> rows(names.size());
+  Progress progress(sceneName(scene) + " " + motion, static_cast<double>(o.speeds.size()));
+  for (const double speed : o.speeds) {
+    runSpeed(o, scene, motion, speed, pool, table, rows);
+    columns.push_back(format("%g px per frame", speed));
+    progress.add(1);
+  }
+  writePicture(o, "_" + sceneName(scene) + "_" + motion + ".svg",
+               drawPictureGrid(columns, names, rows, kChangeKey));
+}
+
 }  // namespace
 
 void runSpeeds(const FigureOptions& o, TilePool& pool) {
   ResultTable table(o.path(".csv"), o.bench.text());
   std::vector<ChartPanel> panels;
-  for (const std::string motion : kMotions) {
-    std::vector<std::string> columns, names{"dL of the reference"};
-    names.insert(names.end(), o.methods.begin(), o.methods.end());
-    std::vector<std::vector<GridPicture>> rows(names.size());
-    Progress progress(motion, static_cast<double>(o.speeds.size()));
-    for (const double speed : o.speeds) {
-      runSpeed(o, motion, speed, pool, table, rows);
-      columns.push_back(format("%g px per frame", speed));
-      progress.add(1);
+  for (const std::string& scene : o.scenes) {
+    for (const std::string motion : kMotions) {
+      runMotion(o, scene, motion, pool, table);
+      for (const auto metric : kMetrics) panels.push_back(makePanel(o, table, scene, motion, metric));
     }
-    writePicture(o, "_" + motion + ".svg", drawPictureGrid(columns, names, rows, kChangeKey));
-    for (const auto metric : kMetrics) panels.push_back(makePanel(o, table, motion, metric));
   }
   writePicture(o, ".svg", drawCharts(panels, static_cast<int>(std::size(kMetrics))));
   printTable(table);

@@ -8,9 +8,9 @@
 namespace saccade::eval {
 namespace {
 
-// Colours that the colour-blind can tell apart: seven of Okabe and Ito, three of Tol.
-constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00",
-                                   "#56b4e9", "#999999", "#882255", "#44aa99", "#332288"};
+// Colours that the colour-blind can tell apart: seven of Okabe and Ito, five of Tol.
+constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
+                                   "#999999", "#882255", "#44aa99", "#332288", "#ddcc77", "#661100"};
 constexpr const char* kReferenceColor = "#000000";
 constexpr double kRow = 20, kSymbol = 26, kCharWidth = 6.6;
 
