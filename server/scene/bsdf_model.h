@@ -20,7 +20,8 @@ enum class BsdfKind {
   kMetallicRoughness,  // the material of glTF 2.0: a diffuse base under a rough interface, or a metal
   kPhong,              // a diffuse base and a lobe of gloss, as in Mitsuba 0.6
   kWard,
-  kCount,  // how many kinds there are; no kind
+  kCoatedConductor,  // a rough metal under a dielectric, as in Mitsuba 0.6
+  kCount,            // how many kinds there are; no kind
 };
 inline constexpr auto kBsdfKindCount = static_cast<std::size_t>(BsdfKind::kCount);
 
@@ -55,6 +56,7 @@ inline constexpr BsdfTraits kBsdfTraits[] = {
     {.kind = BsdfKind::kMetallicRoughness, .name = "metallicroughness", .base = true},
     {.kind = BsdfKind::kPhong, .name = "phong", .base = true},
     {.kind = BsdfKind::kWard, .name = "ward", .base = true},
+    {.kind = BsdfKind::kCoatedConductor, .name = "coating"},
 };
 static_assert(std::size(kBsdfTraits) == kBsdfKindCount, "each kind has a row");
 static_assert(
@@ -80,7 +82,11 @@ struct BsdfModel {
   Rgb eta{0, 0, 0}, k{1, 1, 1};  // conductors: the index eta + ik over the outside's; default: reflects all
   bool nonlinear = false;        // plastics: light that is scattered inside takes on more of the colour
   bool scatters_once = false;    // plastics: light that the interface sends back to the base is lost
-  float coat_ior = 0;            // smooth conductors: of a dielectric layer on them; 0: none
+  // A dielectric layer on a metal: its index over the outside's, and its roughness. Smooth conductors may
+  // have a smooth one, and 0 is none. Coated conductors have one of at least 1, of any roughness; 0 is
+  // smooth.
+  float coat_ior = 0, coat_alpha = 0;
+  MicrofacetKind coat_microfacets = MicrofacetKind::kBeckmann;
 };
 
 }  // namespace saccade

@@ -17,6 +17,7 @@ void add(ContentHash& h, const BsdfModel& m) {
   h.add(m.eta), h.add(m.k), h.add(static_cast<int>(m.nonlinear));
   if (m.scatters_once) h.add(1);
   if (m.coat_ior != 0) h.add(m.coat_ior);
+  if (m.coat_alpha != 0) h.add(m.coat_alpha), h.add(static_cast<int>(m.coat_microfacets));
 }
 
 // A diffuse material adds only its reflectance, so that older cached references stay valid.

@@ -84,6 +84,20 @@ inline std::vector<BsdfCase> glossCases(std::vector<float> alphas) {
   return cases;
 }
 
+// Rough copper under a smooth coat, and under one of the same roughness and the other distribution.
+inline std::vector<BsdfCase> coatedCases(std::vector<float> alphas) {
+  std::vector<BsdfCase> cases;
+  for (const float alpha : alphas) {
+    BsdfModel m = roughModel(BsdfKind::kCoatedConductor, MicrofacetKind::kGgx, alpha);
+    m.eta = {0.2f, 0.92f, 1.1f}, m.k = {3.9f, 2.45f, 2.14f}, m.coat_ior = 1.5f;
+    const std::string name = "coat over rough copper " + std::to_string(alpha);
+    cases.push_back({"smooth " + name, BsdfTables(m), {}, {0.9f, 0.8f, 0.7f}});
+    m.coat_alpha = alpha, m.coat_microfacets = MicrofacetKind::kBeckmann;
+    cases.push_back({"rough " + name, BsdfTables(m), {}, {0.9f, 0.8f, 0.7f}});
+  }
+  return cases;
+}
+
 inline std::vector<BsdfCase> smoothCases() {
   BsdfModel metal = modelOf(BsdfKind::kConductor), nonlinear = modelOf(BsdfKind::kPlastic), coat = nonlinear;
   metal.eta = {0.2f, 0.92f, 1.1f}, metal.k = {3.9f, 2.45f, 2.14f};

@@ -26,12 +26,14 @@ std::vector<test::BsdfCase> cases() {
   for (test::BsdfCase& c : test::roughCases({0.f, 1e-3f, 1.f})) all.push_back(std::move(c));
   for (test::BsdfCase& c : test::metallicRoughnessCases({0.f, 0.03f, 1.f})) all.push_back(std::move(c));
   for (test::BsdfCase& c : test::glossCases({0.f, 1e-3f, 1.f})) all.push_back(std::move(c));
+  for (test::BsdfCase& c : test::coatedCases({0.f, 1e-3f, 1.f})) all.push_back(std::move(c));
   all.push_back(test::metallicRoughness({0.5f, 0.5f, 0.5f}, 0.5f, 0, 1));
   all.push_back(test::metallicRoughness({}, 0.5f, 1));
-  for (const BsdfKind kind : {BsdfKind::kDielectric, BsdfKind::kThinDielectric, BsdfKind::kPlastic,
-                              BsdfKind::kRoughPlastic, BsdfKind::kConductor, BsdfKind::kRoughConductor}) {
+  for (const BsdfKind kind :
+       {BsdfKind::kDielectric, BsdfKind::kThinDielectric, BsdfKind::kPlastic, BsdfKind::kRoughPlastic,
+        BsdfKind::kConductor, BsdfKind::kRoughConductor, BsdfKind::kCoatedConductor}) {
     BsdfModel same = test::modelOf(kind);
-    same.ior = 1, same.eta = {1, 0, 0}, same.k = {0, 0, 0};
+    same.ior = same.coat_ior = 1, same.eta = {1, 0, 0}, same.k = {0, 0, 0};
     all.push_back(
         {"no interface " + std::to_string(static_cast<int>(kind)), BsdfTables(same), {0.5f, 0.5f, 0.5f}});
   }

@@ -47,6 +47,8 @@ TEST(Albedo, IsTheIntegralOfTheValue) {
   cases.push_back(test::smoothCases()[0]);
   for (test::BsdfCase& c : test::metallicRoughnessCases({0.45f, 0.8f, 1.f})) cases.push_back(std::move(c));
   for (test::BsdfCase& c : test::glossCases({0.2f, 0.6f, 1.f})) cases.push_back(std::move(c));
+  for (test::BsdfCase& c : test::coatedCases({0.2f, 0.6f, 1.f}))
+    if (c.tables.model.coat_alpha > 0) cases.push_back(std::move(c));
   for (const test::BsdfCase& c : cases) {
     for (const float cos_o : kCosines)
       expectNear(bsdfAlbedo(c.bsdf(), cos_o), integratedAlbedo(c, test::directionAt(cos_o)), 0.01,
@@ -59,6 +61,7 @@ TEST(Albedo, IsTheMeanWeightOfSamples) {
   for (test::BsdfCase& c : test::roughCases({0.02f, 0.1f, 0.5f})) cases.push_back(std::move(c));
   for (test::BsdfCase& c : test::metallicRoughnessCases({0.15f, 0.3f, 0.7f})) cases.push_back(std::move(c));
   for (test::BsdfCase& c : test::glossCases({0.02f, 0.1f, 0.5f})) cases.push_back(std::move(c));
+  for (test::BsdfCase& c : test::coatedCases({0.02f, 0.1f, 0.5f})) cases.push_back(std::move(c));
   for (const test::BsdfCase& c : cases) {
     for (const float cos_o : {0.05f, 0.2f, 0.6f, 1.f, -0.9f}) {
       if (cos_o < 0 && c.name != "dielectric" && c.name != "pane") continue;
@@ -72,6 +75,7 @@ TEST(Furnace, NothingReflectsMoreThanItGets) {
   std::vector<test::BsdfCase> cases = test::smoothCases();
   for (test::BsdfCase& c : test::roughCases({0.f, 0.02f, 0.1f, 0.3f, 1.f})) cases.push_back(std::move(c));
   for (test::BsdfCase& c : test::glossCases({0.f, 0.02f, 0.1f, 0.3f, 1.f})) cases.push_back(std::move(c));
+  for (test::BsdfCase& c : test::coatedCases({0.f, 0.02f, 0.1f, 0.3f, 1.f})) cases.push_back(std::move(c));
   for (test::BsdfCase& c : cases) {
     c.diffuse = c.specular = c.transmittance = {1, 1, 1};
     for (const float cos_o : kCosines) {

@@ -88,5 +88,42 @@ TEST(Coat, OverAMetalAddsToItsReflection) {
               1e-5);
 }
 
+// Without an interface only the metal is left. Of almost no roughness it is as a smooth one under its coat.
+TEST(Coat, OverARoughMetalHasBothLimits) {
+  for (const test::BsdfCase& c : test::coatedCases({0.3f})) {
+    BsdfModel model = c.tables.model;
+    model.kind = BsdfKind::kRoughConductor;
+    const BsdfTables metal(model);
+    model.kind = BsdfKind::kCoatedConductor, model.coat_ior = 1;
+    const BsdfTables open(model);
+    const Vec3 wo = test::directionAt(0.4), wi = test::directionAt(0.7, 2.8);
+    const Rgb value = evaluateBsdf({&open}, wo, wi).value, expected = evaluateBsdf({&metal}, wo, wi).value;
+    EXPECT_NEAR(value.x, expected.x, model.coat_alpha > 0 ? 0.02 * expected.x : 1e-5) << c.name;
+  }
+  for (const test::BsdfCase& c : test::coatedCases({1e-4f})) {
+    BsdfModel model = c.tables.model;
+    model.kind = BsdfKind::kConductor;
+    const BsdfTables smooth(model);
+    for (const float cosine : {0.1f, 0.5f, 1.f})
+      EXPECT_NEAR(bsdfAlbedo({&c.tables}, cosine).x, bsdfAlbedo({&smooth}, cosine).x, 4e-3) << c.name;
+  }
+}
+
+// f = T(o) T(i) / ior^2 f_metal(o', i'), by Snell, beside the mirror.
+TEST(Coat, OverARoughMetalBendsLight) {
+  const test::BsdfCase c = std::move(test::coatedCases({0.4f})[0]);
+  BsdfModel model = c.tables.model;
+  model.kind = BsdfKind::kRoughConductor;
+  const BsdfTables metal(model);
+  const auto bent = [](Vec3 w) {
+    return normalize(Vec3{w.x / 1.5f, w.y / 1.5f, std::sqrt(1 - (w.x * w.x + w.y * w.y) / 2.25f)});
+  };
+  const auto through = [](float cosine) { return 1 - fresnelDielectric(cosine, 1.5f).reflectance; };
+  const Vec3 wo = test::directionAt(0.3), wi = test::directionAt(0.8, 2.5), inner = bent(wi);
+  const double f_metal = evaluateBsdf({&metal}, bent(wo), inner).value.x / inner.z;
+  const double expected = through(0.3f) * through(0.8f) / 2.25 * f_metal * wi.z;
+  EXPECT_NEAR(evaluateBsdf({&c.tables}, wo, wi).value.x, expected, 1e-4 * expected);
+}
+
 }  // namespace
 }  // namespace saccade

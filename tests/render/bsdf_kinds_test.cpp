@@ -53,6 +53,7 @@ TEST(BsdfKinds, AreReciprocal) {
   for (test::BsdfCase& c : test::roughCases({0.1f, 0.5f})) cases.push_back(std::move(c));
   for (test::BsdfCase& c : test::metallicRoughnessCases({0.3f, 0.7f})) cases.push_back(std::move(c));
   for (test::BsdfCase& c : test::glossCases({0.1f, 0.5f})) cases.push_back(std::move(c));
+  for (test::BsdfCase& c : test::coatedCases({0.1f, 0.5f})) cases.push_back(std::move(c));
   for (const test::BsdfCase& c : cases) {
     for (std::uint64_t i = 0; i < 200; ++i) {
       const double cos_o = 0.05 + 0.95 * test::uniformAt(1, i), cos_i = 0.05 + 0.95 * test::uniformAt(2, i);

@@ -46,6 +46,7 @@ std::vector<test::BsdfCase> cases() {
   for (test::BsdfCase& c : test::smoothCases()) all.push_back(std::move(c));
   for (test::BsdfCase& c : test::metallicRoughnessCases({0.3f, 0.6f, 1.f})) all.push_back(std::move(c));
   for (test::BsdfCase& c : test::glossCases({0.1f, 0.4f, 1.f})) all.push_back(std::move(c));
+  for (test::BsdfCase& c : test::coatedCases({0.1f, 0.4f, 1.f})) all.push_back(std::move(c));
   return all;
 }
 

@@ -13,7 +13,7 @@ constexpr float kEye = 3, kLamp = 4, kRadiance = 5, kIor = 1.49f;  // heights; o
 
 Material smooth(BsdfKind kind, float albedo) {
   Material m = test::grey(albedo);
-  m.model.kind = kind, m.model.ior = kIor;
+  m.model.kind = kind, m.model.ior = m.model.coat_ior = kIor;
   return m;
 }
 
@@ -59,7 +59,8 @@ double reflectance(BsdfKind kind, double cos_i) {
 }
 
 TEST(MirrorImage, IsFresnelTimesEmissionAtTheMirroredPlace) {
-  for (const BsdfKind kind : {BsdfKind::kPlastic, BsdfKind::kDielectric, BsdfKind::kThinDielectric}) {
+  for (const BsdfKind kind :
+       {BsdfKind::kPlastic, BsdfKind::kDielectric, BsdfKind::kThinDielectric, BsdfKind::kCoatedConductor}) {
     const Frame frame = renderSurfaces(floorUnderALamp(smooth(kind, 0.2f)), 1);
     int lit = 0, dark = 0;
     for (int y = 0; y < kSize; ++y)

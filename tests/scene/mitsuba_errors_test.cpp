@@ -41,7 +41,7 @@ TEST(MitsubaErrors, UnknownElementsAndTypesListWhatIsSupported) {
   expectAt4(shape("<bsdf type='principled'/>"),
             "'principled' is not supported; supported: diffuse, plastic, roughplastic, conductor, "
             "roughconductor, dielectric, thindielectric, roughdielectric, metallicroughness, phong, ward, "
-            "roughdiffuse, twosided, mask, bumpmap, coating, roughcoating, blendbsdf, mixturebsdf");
+            "coating, roughdiffuse, roughcoating, twosided, mask, bumpmap, blendbsdf, mixturebsdf");
   expectAt4(shape("<emitter type='spot'/>"), "supported: area");
   expectAt4(shape("<boolean name='smooth' value='true'/>"), "<boolean name=\"smooth\"> is not supported");
   expectAt4(shape("<boolean name='beSmooth' value='true'/>"),

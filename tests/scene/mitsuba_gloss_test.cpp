@@ -107,10 +107,31 @@ TEST(MitsubaCoat, OverAConductorIsPartOfIt) {
   EXPECT_EQ(material("<bsdf type='conductor'/>").model.coat_ior, 0);
 }
 
+TEST(MitsubaCoat, OverARoughConductorHasARoughnessOfItsOwn) {
+  const std::string metal =
+      "<bsdf type='roughconductor'><float name='alpha' value='0.2'/>"
+      "<string name='distribution' value='ggx'/></bsdf>";
+  const BsdfModel smooth = material(coat(metal, "<float name='intIOR' value='1.7'/>")).model;
+  EXPECT_EQ(smooth.kind, BsdfKind::kCoatedConductor);
+  EXPECT_FLOAT_EQ(smooth.coat_ior, 1.7f / 1.000277f);
+  EXPECT_EQ(smooth.coat_alpha, 0);
+  const BsdfModel rough = material(coat(metal, "<float name='alpha' value='0.3'/>", "roughcoating")).model;
+  EXPECT_EQ(rough.kind, BsdfKind::kCoatedConductor);
+  EXPECT_FLOAT_EQ(rough.alpha, 0.2f);
+  EXPECT_EQ(rough.microfacets, MicrofacetKind::kGgx);
+  EXPECT_FLOAT_EQ(rough.coat_alpha, 0.3f);
+  EXPECT_EQ(rough.coat_microfacets, MicrofacetKind::kBeckmann);
+  expectBsdfError(coat(metal, "<float name='intIOR' value='1'/><float name='extIOR' value='1.3'/>"),
+                  "must be at least its ext_ior");
+  expectBsdfError(coat(metal, "<float name='alpha' value='0.3'/>"),
+                  "<float name=\"alpha\"> is not supported");
+}
+
 TEST(MitsubaCoat, OfOtherKindsIsRefused) {
   expectBsdfError(
-      coat("<bsdf type='roughconductor'/>"),
-      "a coating over roughconductor is not supported; supported: coating over diffuse and conductor");
+      coat("<bsdf type='dielectric'/>"),
+      "a coating over dielectric is not supported; supported: coating over diffuse, conductor and "
+      "roughconductor, roughcoating over diffuse and roughconductor; leave out the coat");
   expectBsdfError(coat("<bsdf type='conductor'/>", "", "roughcoating"), "a roughcoating over conductor");
   expectBsdfError(coat(kDiffuse, "<rgb name='sigmaA' value='0.1, 0.2, 0.3'/>"), "a coat that absorbs light");
   expectBsdfError(coat("<bsdf type='conductor'/>", "<float name='specularReflectance' value='0.5'/>"),

@@ -44,6 +44,7 @@ TEST(SceneHash, TellsApartWhatDiffersInOneThing) {
       [](Scene& s) { s.materials[0].model.nonlinear = true; },
       [](Scene& s) { s.materials[0].model.scatters_once = true; },
       [](Scene& s) { s.materials[0].model.coat_ior = 1.5f; },
+      [](Scene& s) { s.materials[0].model.coat_alpha = 0.2f; },
       [](Scene& s) { s.materials[0].emission.kind = SurfaceColor::Kind::kCheckerboard; },
       [](Scene& s) { s.materials[0].specular.second_uvs = true; },
       [](Scene& s) { s.environment->radiance.x = 2; },

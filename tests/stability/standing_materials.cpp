@@ -54,8 +54,9 @@ std::vector<MaterialScene> materialScenes() {
   add("conductor", twosided(bsdf("conductor")));
   add("phong", twosided(bsdf("phong", picture("specular_reflectance"))));
   add("ward", twosided(bsdf("ward")));
-  for (const char* inner : {"diffuse", "conductor"})
+  for (const char* inner : {"diffuse", "conductor", "roughconductor"})
     add(std::string("coating_") + inner, twosided(bsdf("coating", bsdf(inner))));
+  add("roughcoating_roughconductor", twosided(bsdf("roughcoating", bsdf("roughconductor"))));
   add("dielectric", bsdf("dielectric"));
   add("thindielectric", bsdf("thindielectric"));
   add("roughdielectric", bsdf("roughdielectric", "<float name='alpha' value='0.2'/>"));

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "render/bsdf/coated_conductor.h"
 #include "render/bsdf/conductor.h"
 #include "render/bsdf/dielectric.h"
 #include "render/bsdf/diffuse.h"
@@ -33,8 +34,9 @@ constexpr BsdfKinds kindsWith(bool BsdfTraits::*trait) {
 namespace detail {
 
 // In the order of BsdfKind.
-using BsdfFamilies = std::tuple<Diffuse, Plastic, RoughPlastic, Conductor, RoughConductor, Dielectric,
-                                ThinDielectric, RoughDielectric, MetallicRoughness, Phong, Ward>;
+using BsdfFamilies =
+    std::tuple<Diffuse, Plastic, RoughPlastic, Conductor, RoughConductor, Dielectric, ThinDielectric,
+               RoughDielectric, MetallicRoughness, Phong, Ward, CoatedConductor>;
 
 template <std::size_t... I>
 constexpr bool inOrder(std::index_sequence<I...>) {

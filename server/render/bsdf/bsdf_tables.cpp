@@ -1,5 +1,6 @@
 #include "render/bsdf/bsdf_tables.h"
 
+#include "render/bsdf/coated_conductor.h"
 #include "render/bsdf/fresnel.h"
 #include "render/bsdf/gloss_lobes.h"
 #include "render/bsdf/microfacet_mean.h"
@@ -26,6 +27,21 @@ float roughTransmittance(const Microfacets& f, float cos_o, float ior) {
     const Vec3 wt = m * (cos_m / ior - r.cos_t) - wo / ior;
     return wt.z < 0 ? (1 - r.reflectance) * visibleFraction(f, wt) : 0;
   });
+}
+
+// The fraction of light that a rough metal returns through its coat, once it has entered from cosine cos_o:
+// E[F G1 T(i)]. It has an edge where the coat lets nothing out.
+Rgb coatedReflectance(const BsdfTables& t, float cos_o) {
+  const BsdfModel& m = t.model;
+  const Microfacets metal{m.microfacets, m.alpha};
+  const auto at = [&](Vec3 wo, Vec3 facet) {
+    const Vec3 wi = mirror(wo, facet), outside = leaveCoat(wi, m.coat_ior);
+    if (!(outside.z > 0)) return Rgb{};
+    return fresnelConductor(dot(wo, facet), m.eta, m.k) *
+           (visibleFraction(metal, wi) * coatTransmittance(t, outside.z));
+  };
+  const Vec3 entered = enterCoat({std::sqrt(1 - cos_o * cos_o), 0, cos_o}, m.coat_ior);
+  return latticeMeanOverNormals(metal, entered.z, at);
 }
 
 // f cos_i / pdf of a lobe of gloss that is sampled by itself.
@@ -85,6 +101,7 @@ BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
     inner_reflectance.fill([&](float cos_o) { return roughReflectance(f, cos_o, inner).x; });
     inner_transmittance.fill([&](float cos_o) { return roughTransmittance(f, cos_o, 1 / m.ior); });
   }
+  if (m.kind == BsdfKind::kCoatedConductor) fillCoated();
   if (m.kind == BsdfKind::kPhong)
     reflectance.fill([&](float cos_o) { return Rgb{1, 1, 1} * phongReflectance(model.alpha, cos_o); });
   if (m.kind == BsdfKind::kWard)
@@ -98,6 +115,19 @@ BsdfTables::BsdfTables(const BsdfModel& m) : model(m) {
   // An interface transmits as much light inwards as outwards [Walter 2007, reciprocity]. It reflects the
   // rest.
   internal_reflectance = 1 - mean_transmittance / (m.ior * m.ior);
+}
+
+void BsdfTables::fillCoated() {
+  if (model.coat_alpha > 0) {
+    model.coat_alpha = std::max(model.coat_alpha, kLeastAlpha);
+    const Microfacets coat{model.coat_microfacets, model.coat_alpha};
+    const auto grey = [&](float cosine) {
+      return Rgb{1, 1, 1} * fresnelDielectric(cosine, model.coat_ior).reflectance;
+    };
+    coat_reflectance.fill([&](float cos_o) { return roughReflectance(coat, cos_o, grey).x; });
+    transmittance.fill([&](float cos_o) { return roughTransmittance(coat, cos_o, model.coat_ior); });
+  }
+  reflectance.fill([&](float cos_o) { return coatedReflectance(*this, cos_o); });
 }
 
 }  // namespace saccade

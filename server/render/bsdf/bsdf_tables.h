@@ -48,6 +48,9 @@ struct BsdfTables {
   CosineTable<float> transmittance;
   // Rough glass: the same of light from inside.
   CosineTable<float> inner_reflectance, inner_transmittance;
+  // Coated metals: `reflectance` is of light that has entered the coat. Rough coats: `transmittance`, and
+  // this.
+  CosineTable<float> coat_reflectance;
 
   // For plastics: the transmittance of diffuse light from outside, and the reflectance of diffuse light from
   // inside.
@@ -56,6 +59,9 @@ struct BsdfTables {
   // For metallic-roughness: the reflectance of what is no metal, at a right angle.
   float dielectric_reflectance = 0;
   const SchlickTables* schlick = nullptr;
+
+ private:
+  void fillCoated();
 };
 
 }  // namespace saccade

@@ -92,8 +92,8 @@ Rgb emissionAlong(const PosedScene& scene, Ray ray, RayCone cone) {
 template <Shading S>
 Rgb mirrorImage(const PosedScene& scene, const PathStart& start) {
   // Surfaces of these kinds mirror light beside another lobe.
-  constexpr BsdfKinds kMirrors =
-      only(BsdfKind::kPlastic) | only(BsdfKind::kDielectric) | only(BsdfKind::kThinDielectric);
+  constexpr BsdfKinds kMirrors = only(BsdfKind::kPlastic) | only(BsdfKind::kDielectric) |
+                                 only(BsdfKind::kThinDielectric) | only(BsdfKind::kCoatedConductor);
   if constexpr ((S.kinds & kMirrors) != 0) {
     const Surface& s = start.surface;
     if ((kMirrors & only(s.bsdf.tables->model.kind)) == 0) return {};

@@ -107,6 +107,7 @@ void readKind(BsdfKind kind, BsdfSource& from, Material& material) {
       return readPhong(from, material);
     case BsdfKind::kWard:
       return readWard(from, material);
+    case BsdfKind::kCoatedConductor:  // readCoat() makes it
     case BsdfKind::kCount:
       return;
   }

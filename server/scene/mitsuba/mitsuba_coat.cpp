@@ -18,6 +18,18 @@ void coatConductor(BsdfSource& coat, Material& material) {
   coat.properties.neutral("specular_reflectance", 1);
 }
 
+void coatRoughConductor(BsdfSource& coat, bool rough, Material& material) {
+  material.model.kind = BsdfKind::kCoatedConductor;
+  if (rough) {
+    BsdfModel layer;
+    readRoughness(coat, layer);
+    material.model.coat_alpha = layer.alpha, material.model.coat_microfacets = layer.microfacets;
+  }
+  coatConductor(coat, material);
+  if (material.model.coat_ior < 1)
+    throw coat.error("the int_ior of a coat over roughconductor must be at least its ext_ior");
+}
+
 }  // namespace
 
 bool isCoat(const std::string& type) {
@@ -36,11 +48,14 @@ void readCoat(BsdfSource coat, Material& material) {
     coatDiffuse(coat, rough, material);
   else if (material.model.kind == BsdfKind::kConductor && !rough)
     coatConductor(coat, material);
+  else if (material.model.kind == BsdfKind::kRoughConductor)
+    coatRoughConductor(coat, rough, material);
   else
-    throw coat.error("a " + std::string(rough ? "roughcoating" : "coating") + " over " +
-                     traitsOf(material.model.kind).name +
-                     " is not supported; supported: coating over diffuse and conductor, roughcoating over "
-                     "diffuse");
+    throw coat.error(
+        "a " + std::string(rough ? "roughcoating" : "coating") + " over " +
+        traitsOf(material.model.kind).name +
+        " is not supported; supported: coating over diffuse, conductor and roughconductor, "
+        "roughcoating over diffuse and roughconductor; leave out the coat, or take one of these");
   coat.properties.finish();
 }
 

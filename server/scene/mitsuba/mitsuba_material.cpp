@@ -17,9 +17,8 @@ Material defaultMaterial() {
 }
 
 std::vector<std::string> allTypes() {
-  std::vector<std::string> types = bsdfTypes();
-  types.insert(types.end(),
-               {"twosided", "mask", "bumpmap", "coating", "roughcoating", "blendbsdf", "mixturebsdf"});
+  std::vector<std::string> types = bsdfTypes();  // coating among them
+  types.insert(types.end(), {"roughcoating", "twosided", "mask", "bumpmap", "blendbsdf", "mixturebsdf"});
   return types;
 }
 
