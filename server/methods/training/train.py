@@ -16,8 +16,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", nargs="+", type=pathlib.Path)
     parser.add_argument("-o", "--output", required=True, help="file.onnx")
-    parser.add_argument("--steps", type=int, default=3000)
-    parser.add_argument("--batch", type=int, default=4, help="crops of 64x64 pixels per step")
+    parser.add_argument("--steps", type=int, default=5000)
+    parser.add_argument("--batch", type=int, default=2, help="crops of 64x64 pixels per step")
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args()
     data = [frame for folder in options.folders for frame in dumps.frames(folder)]
