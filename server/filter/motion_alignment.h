@@ -9,8 +9,8 @@
 
 namespace saccade {
 
-// d = i_t[s] - i_{t-1}[w(s)] [E (35)], of frames of SeedPlan::correlatedAlongMotion: both samples have the
-// same random numbers. w(s) is rounded to a pixel. 0 where it shows another surface.
+// d = i_t[s] - i_{t-1}[w(s)] [E (35)], of frames of SeedPlan::correlatedAlongMotion. Both samples have
+// one point and its random numbers. w(s) is rounded to a pixel. 0 where it shows another surface.
 std::chrono::nanoseconds alignDifference(const FramePair& frames, Demodulation by, const PoolHandle& pool,
                                          ImageF& d);
 

@@ -46,9 +46,9 @@ std::chrono::nanoseconds TemporalGradient::estimate(const FramePair& frames, con
   return time;
 }
 
-// The paper chooses a pixel of the frame before and projects it forward, so that both frames shade one point.
-// This filter chooses a pixel of this frame, and the numbers come to it along its motion. The points of both
-// frames lie up to half a pixel apart. So light is demodulated, or texture would count as a change [ours].
+// The paper chooses a pixel of the frame before and projects it forward. This filter chooses a pixel of this
+// frame, whose pass 1 starts at the point that pixelBefore() showed. Both frames shade one point either way.
+// Light is demodulated: pass 1 is scaled as if it came off the albedo at the centre of the pixel [ours].
 void TemporalGradient::sample(const FramePair& frames, int column, int row) {
   const Frame &now = frames.cur, &before = frames.prev;
   const GBuffer& g = now.g;

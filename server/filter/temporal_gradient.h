@@ -1,8 +1,8 @@
 // Temporal gradients of light, which tell where a history is out of date. Schied, Peters and Dachsbacher
 // 2018, "Gradient estimation for real-time adaptive temporal filtering" (A-SVGF).
 //
-// takes    frames of SeedPlan::correlatedAlongMotion: pass 1 has the numbers that pass 2 of the frame before
-//          had at the same surface
+// takes    frames of SeedPlan::correlatedAlongMotion: pass 1 has the points and the numbers that pass 2 had
+//          one frame ago
 // returns  lambda, the share of the light that has changed
 //
 // One pixel of each 3x3 stratum tells the change of light at its surface and the larger light of both frames:

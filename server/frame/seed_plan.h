@@ -20,7 +20,7 @@ struct SeedPlan {
   NumberKind numbers = NumberKind::kEven;
   // Of a picture whose paths come in parts: those of each pass before this part, and in all parts.
   int before = 0, all = 0;
-  bool along_motion = false;  // pass 1 replays the numbers of pixelBefore(), not those of the same pixel
+  bool along_motion = false;  // pass 1 replays pixelBefore(), its point and its numbers, not the same pixel
 
   // r_t: the seed of frame t.
   static std::uint64_t frameSeed(std::uint64_t stream_seed, FrameIndex t) { return hashKey(stream_seed, t); }
@@ -29,7 +29,7 @@ struct SeedPlan {
   static SeedPlan correlated(std::uint64_t stream_seed, FrameIndex t, int spp) {
     return {frameSeed(stream_seed, t - 1), frameSeed(stream_seed, t), spp / 2, spp / 2, t - 1, t};
   }
-  // Correlated passes in which each surface keeps the numbers that it had one frame ago (Schied et al. 2018).
+  // Correlated passes in which points of surfaces keep the numbers of one frame ago (Schied et al. 2018).
   static SeedPlan correlatedAlongMotion(std::uint64_t stream_seed, FrameIndex t, int spp) {
     SeedPlan plan = correlated(stream_seed, t, spp);
     plan.along_motion = true;

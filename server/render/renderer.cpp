@@ -55,7 +55,9 @@ std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPl
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   showBodies(view, out.g);
-  const TileRenderer tile = tileRenderer(view.now.scene.still(), settings_);
+  // Where all stands, centres of pixels stay where they are, to the last bit.
+  const bool along_motion = seeds.along_motion && !out.stands;
+  const TileRenderer tile = tileRenderer(view.now.scene.still(), settings_, along_motion);
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
                           [&](Tile t) { tile(view, seeds, settings_.bounces, t, out); });
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/renderer.h"
-#include "render/tiles/tile_samples.h"
+#include "render/tiles/along_motion.h"
 
 namespace saccade {
 
@@ -14,10 +14,14 @@ inline void showBodies(const PixelContext& view, GBuffer& g) {
 using TileRenderer = void (*)(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile,
                               Frame& out);
 
-inline TileRenderer tileRenderer(const RenderScene& scene, const RenderSettings& settings) {
+// `along_motion`: whether surfaces that move keep their numbers.
+inline TileRenderer tileRenderer(const RenderScene& scene, const RenderSettings& settings,
+                                 bool along_motion) {
   return withKernel(scene.shading(), [&]<Shading S>() -> TileRenderer {
-    if (settings.jitter) return settings.channels == 1 ? renderJitteredTile<S, 1> : renderJitteredTile<S, 3>;
-    return settings.channels == 1 ? renderTile<S, 1> : renderTile<S, 3>;
+    const bool grey = settings.channels == 1;
+    if (settings.jitter) return grey ? renderJitteredTile<S, 1> : renderJitteredTile<S, 3>;
+    if (along_motion) return grey ? renderTileAlongMotion<S, 1> : renderTileAlongMotion<S, 3>;
+    return grey ? renderTile<S, 1> : renderTile<S, 3>;
   });
 }
 

@@ -69,11 +69,6 @@ void forEachSample(const SeedPlan& seeds, int pass, const auto& f) {
   for (int i = 0; i < spp; ++i) f(numbers, static_cast<std::uint32_t>(seeds.before + i));
 }
 
-// The pixel whose numbers the paths of (x, y) take.
-inline PixelPlace numbersOf(const SeedPlan& seeds, int pass, const GBuffer& g, int x, int y) {
-  return pass == 0 && seeds.along_motion ? pixelBefore(g, x, y) : PixelPlace{x, y};
-}
-
 // All paths start at the centre of the pixel.
 template <Shading S, int C>
 void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile, Frame& out) {
@@ -86,10 +81,7 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Ti
   const auto forEachPath = [&](const auto& f) {
     for (const int pass : {0, 1})
       forEachSample(seeds, pass, [&](const PixelSequence& numbers, std::uint32_t i) {
-        f([&](int x, int y) {
-          const PixelPlace of = numbersOf(seeds, pass, out.g, x, y);
-          return NewPath{numbers.of(of.x, of.y, i), sums.owner(x, y, pass)};
-        });
+        f([&](int x, int y) { return NewPath{numbers.of(x, y, i), sums.owner(x, y, pass)}; });
       });
   };
   addPaths<S>(view, tile, out.g, run, forEachPath, [](int, int, Rgb) {});
@@ -105,6 +97,11 @@ void renderTile(const PixelContext& view, const SeedPlan& seeds, int bounces, Ti
 inline float layerNumber(int x, int y, FrameIndex jitter) {
   return toUnit(static_cast<std::uint32_t>(x) * 0xc13fa9a9u + static_cast<std::uint32_t>(y) * 0x91e10da5u +
                 static_cast<std::uint32_t>(jitter / kSubPixels) * 0x9e3779b9u);
+}
+
+// The pixel whose numbers the paths of (x, y) take.
+inline PixelPlace numbersOf(const SeedPlan& seeds, int pass, const GBuffer& g, int x, int y) {
+  return pass == 0 && seeds.along_motion ? pixelBefore(g, x, y) : PixelPlace{x, y};
 }
 
 // The paths of each pass start at its own point of the pixel.
