@@ -76,6 +76,15 @@ void KnownLight::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, S
   });
 }
 
+const ImageF& KnownLight::errorOfChange(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times) {
+  LightState& light = state();
+  if (error_of_change_.width() == 0) error_of_change_ = ImageF(uncertainty_.width(), uncertainty_.height());
+  light.changes.follow(light.grid);
+  times[Stage::kTemporal] += light.grid.errorOfChange({*next.frame.surfaces, next.frame.g, at_},
+                                                      light.changes, pool, error_of_change_);
+  return error_of_change_;
+}
+
 void KnownLight::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   readGrid(frames, pool, times);
   readBakedShadows(frames, pool, times);
