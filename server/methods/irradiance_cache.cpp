@@ -153,7 +153,7 @@ void IrradianceCache::addLightChange(const FramePair& frames, const PoolHandle& 
   known_.keepChanges();
   change_->estimate(frames, known_.at(), known_.state(), known_.of(frames.cur), pool, times);
   const FrameOnGrid frame{*frames.cur.surfaces, frames.cur.g, known_.at()};
-  times[Stage::kTemporal] += known_.state().grid.moveOn(frame, change_->lasting(), pool);
+  times[Stage::kTemporal] += known_.state().grid.moveOn(frame, change_->change(), pool);
   times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {
     for (int x = 0; x < i_prev_.width(); ++x)
       if (showsSame(frames, x, y)) filtered_.d.at(x, y) += change_->change().at(x, y);

@@ -16,13 +16,12 @@ float kept(const SurfacePoint&) {
   return 0.95f;
 }
 
-constexpr float kCaution = 4, kLastingCaution = 16;
-
 // d e / (e + caution var), with e the energy of d beyond its noise. `var`: before the filter, which takes
 // errors of neighbours for independent although they share vertices.
-float proven(float d, float var, float caution) {
+float proven(float d, float var) {
+  constexpr float kCaution = 4;
   const float energy = std::max(0.f, d * d - var);
-  return energy > 0 ? d * energy / (energy + caution * var) : 0;
+  return energy > 0 ? d * energy / (energy + kCaution * var) : 0;
 }
 
 }  // namespace
@@ -56,10 +55,8 @@ void LightChange::estimate(const FramePair& frames, const Placement& at, LightSt
     std::swap(planes_, scratch_);
   }
   times[Stage::kModulate] += pool.forEachRow(on.height(), [&](int y) {
-    for (int x = 0; x < planes_.d.width(); ++x) {
-      const float d = planes_.d.at(x, y), var = estimate_.var_i.at(x, y);
-      planes_.d.at(x, y) = proven(d, var, kCaution), scratch_.d.at(x, y) = proven(d, var, kLastingCaution);
-    }
+    for (int x = 0; x < planes_.d.width(); ++x)
+      planes_.d.at(x, y) = proven(planes_.d.at(x, y), estimate_.var_i.at(x, y));
   });
 }
 
