@@ -1,6 +1,7 @@
 #include "methods/light_change.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "filter/atrous.h"
@@ -30,12 +31,16 @@ void LightChange::estimate(const FramePair& frames, const Placement& at, LightSt
                            const GridEstimate& i, const PoolHandle& pool, StageTimes& times) {
   const SurfaceSamples& on = *frames.cur.surfaces;
   differences_.resize(on.replays().size());
+  std::atomic<bool> any = false;
   times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
     for (int column = 0; column < on.columns(); ++column) {
       const std::size_t k = on.indexOf(column, y);
       differences_[k].residual = on.light(k).residual - on.replays()[k].residual;
+      if (differences_[k].residual != 0) any = true;
     }
   });
+  // Changes of earlier frames say nothing of bodies that have come to rest.
+  if (!any) return planes_.d.fill(0);
   const FrameOnGrid frame{.on = on, .g = frames.cur.g, .at = at, .residuals = &differences_};
   SurfaceGrid& changes = light.changes;
   changes.follow(light.grid);

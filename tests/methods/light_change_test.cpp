@@ -61,6 +61,12 @@ TEST_F(LightChangeTest, AnEvenChangeIsFoundExactly) {
   expectChange(0.25f);
 }
 
+TEST_F(LightChangeTest, AFrameWithoutDifferencesHasNoChange) {
+  for (int t = 0; t < 4; ++t) step(1, 0.3f * float(t), 0.25f);
+  step(1, 1.2f, 0);
+  expectChange(0);
+}
+
 // The same noise of changes is another part of the light.
 TEST_F(LightChangeTest, TheErrorOfAChangeIsRelativeToTheLight) {
   const auto errorIn = [&](float light) {
