@@ -9,6 +9,7 @@
 #include "methods/known_light.h"
 #include "methods/light_change.h"
 #include "methods/method.h"
+#include "methods/path_plan.h"
 #include "methods/uncached_change.h"
 
 namespace saccade {
@@ -33,6 +34,7 @@ class IrradianceCache final : public SurfaceMethod {
   }
 
  private:
+  PathPlan pathPlan(int spp) const;
   // From what is known to the change of pixels: as it is, or filtered.
   std::chrono::nanoseconds modulateLookUps(const FramePair& frames, const PoolHandle& pool,
                                            IntensityChange& out) const;
@@ -48,6 +50,7 @@ class IrradianceCache final : public SurfaceMethod {
   AtrousParams atrous_;
   KnownLight known_;
   std::unique_ptr<LightChange> change_;  // from the first frame on in which a body moves
+  bool moved_ = false;                   // whether one moved into the last frame
   FilterPlanes filtered_, scratch_;
   ImageF i_prev_;                 // D[i_{t-1}]
   std::vector<char> had_others_;  // see planPaths()

@@ -8,8 +8,12 @@
 namespace saccade {
 namespace {
 
-// The share of what is known of a point that holds in the next frame.
-float keptOf(const SurfacePoint& point) {
+// The share of what is known of a point that holds in the next frame. Replays may tell how light has
+// changed, or nothing does.
+float keptWithReplays(const SurfacePoint& point) {
+  return point.light_moves ? 0.97f : 1;
+}
+float keptWithoutReplays(const SurfacePoint& point) {
   return point.light_moves ? 0.9f : 1;
 }
 
@@ -76,6 +80,15 @@ void KnownLight::wantMovingShadows(SurfaceSamples& on, const PoolHandle& pool, S
   });
 }
 
+const ImageF& KnownLight::errorOfChange(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times) {
+  LightState& light = state();
+  if (error_of_change_.width() == 0) error_of_change_ = ImageF(uncertainty_.width(), uncertainty_.height());
+  light.changes.follow(light.grid);
+  times[Stage::kTemporal] += light.grid.errorOfChange({*next.frame.surfaces, next.frame.g, at_},
+                                                      light.changes, pool, error_of_change_);
+  return error_of_change_;
+}
+
 void KnownLight::read(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
   readGrid(frames, pool, times);
   readBakedShadows(frames, pool, times);
@@ -91,7 +104,10 @@ void KnownLight::readGrid(const FramePair& frames, const PoolHandle& pool, Stage
   const FrameOnGrid prev{*frames.prev.surfaces, frames.prev.g, at_prev_, shadows, &SurfaceShadow::before};
   GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   SurfaceGrid &grid = states_.current().grid, &grid_prev = states_.previous().grid;
-  if (has_bodies) times[Stage::kTemporal] += grid.fade(cur, keptOf, pool);
+  if (has_bodies) {
+    const auto kept = cur.on.replays().empty() ? keptWithoutReplays : keptWithReplays;
+    times[Stage::kTemporal] += grid.fade(cur, kept, pool);
+  }
   const SurfaceGrid::Added added = grid.add(cur, pool);
   const SurfaceGrid::Compared compared = grid.readAdded(added, pool, now);
   times[Stage::kTemporal] += added.time, times[Stage::kVariance] += compared.time;

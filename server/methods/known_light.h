@@ -26,6 +26,8 @@ class KnownLight {
   void readBaked(Tile tile, Frame& next);
   // Finds the points of the next frame in the grid, and asks for the shadow rays that it needs there.
   void enter(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times);
+  // After enter(): see SurfaceGrid::errorOfChange().
+  const ImageF& errorOfChange(const SurfaceFrame& next, const PoolHandle& pool, StageTimes& times);
   // Adds the samples of the frame that was entered last, and reads both frames.
   void read(const FramePair& frames, const PoolHandle& pool, StageTimes& times);
 
@@ -62,6 +64,7 @@ class KnownLight {
   // With the columns of SurfaceSamples.
   ImageF uncertainty_, uncertainty_prev_;
   ImageF shadow_detail_, shadow_detail_prev_;
+  ImageF error_of_change_;         // from the first frame on that asks for it
   bool asks_rays_ = false;         // whether any point of the last frame could
   std::vector<char> light_moved_;  // by point of the last frame, where the scene has bodies
   std::uint32_t frames_ = 0;

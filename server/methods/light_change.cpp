@@ -1,6 +1,7 @@
 #include "methods/light_change.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "filter/atrous.h"
@@ -16,13 +17,12 @@ float kept(const SurfacePoint&) {
   return 0.95f;
 }
 
-constexpr float kCaution = 4, kLastingCaution = 16;
-
 // d e / (e + caution var), with e the energy of d beyond its noise. `var`: before the filter, which takes
 // errors of neighbours for independent although they share vertices.
-float proven(float d, float var, float caution) {
+float proven(float d, float var) {
+  constexpr float kCaution = 4;
   const float energy = std::max(0.f, d * d - var);
-  return energy > 0 ? d * energy / (energy + caution * var) : 0;
+  return energy > 0 ? d * energy / (energy + kCaution * var) : 0;
 }
 
 }  // namespace
@@ -31,12 +31,16 @@ void LightChange::estimate(const FramePair& frames, const Placement& at, LightSt
                            const GridEstimate& i, const PoolHandle& pool, StageTimes& times) {
   const SurfaceSamples& on = *frames.cur.surfaces;
   differences_.resize(on.replays().size());
+  std::atomic<bool> any = false;
   times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
     for (int column = 0; column < on.columns(); ++column) {
       const std::size_t k = on.indexOf(column, y);
       differences_[k].residual = on.light(k).residual - on.replays()[k].residual;
+      if (differences_[k].residual != 0) any = true;
     }
   });
+  // Changes of earlier frames say nothing of bodies that have come to rest.
+  if (!any) return planes_.d.fill(0);
   const FrameOnGrid frame{.on = on, .g = frames.cur.g, .at = at, .residuals = &differences_};
   SurfaceGrid& changes = light.changes;
   changes.follow(light.grid);
@@ -56,10 +60,8 @@ void LightChange::estimate(const FramePair& frames, const Placement& at, LightSt
     std::swap(planes_, scratch_);
   }
   times[Stage::kModulate] += pool.forEachRow(on.height(), [&](int y) {
-    for (int x = 0; x < planes_.d.width(); ++x) {
-      const float d = planes_.d.at(x, y), var = estimate_.var_i.at(x, y);
-      planes_.d.at(x, y) = proven(d, var, kCaution), scratch_.d.at(x, y) = proven(d, var, kLastingCaution);
-    }
+    for (int x = 0; x < planes_.d.width(); ++x)
+      planes_.d.at(x, y) = proven(planes_.d.at(x, y), estimate_.var_i.at(x, y));
   });
 }
 

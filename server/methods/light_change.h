@@ -19,9 +19,8 @@ class LightChange {
   // variance.
   void estimate(const FramePair& frames, const Placement& at, LightState& light, const GridEstimate& i,
                 const PoolHandle& pool, StageTimes& times);
-  // After estimate(). The second is the part of it that light which is kept can take: errors add up there.
+  // After estimate().
   const ImageF& change() const { return planes_.d; }
-  const ImageF& lasting() const { return scratch_.d; }
 
  private:
   std::vector<SurfaceLight> differences_;

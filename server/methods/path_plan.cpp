@@ -22,9 +22,13 @@ float ditherAt(int x, int y, std::uint32_t frame) {
   return toUnit(bits);
 }
 
-float wantedPaths(const PathPlan& plan, float error) {
-  const float r = error / plan.target;
-  return std::min(plan.asked, plan.usual * std::max(std::min(1.f, r), 0.5f * r));
+// A change is small beside its noise in few places, and there it takes many paths. So its error counts by
+// its cube.
+float wantedPaths(const PathPlan& plan, float error, float error_of_change) {
+  constexpr float kEnough = 100;
+  const float c = std::min(error_of_change / plan.target_of_change, kEnough);
+  const float r = std::max(error / plan.target, c * c * c);
+  return std::min(plan.most, plan.usual * std::max(std::min(1.f, r), 0.5f * r));
 }
 
 // The number of pairs of each of `others` points of kNone, once `planned` paths are those of all other
@@ -48,7 +52,7 @@ std::uint32_t pathsForNew(const PathPlan& plan, const SurfaceSamples& on, std::u
 
 }  // namespace
 
-std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, std::uint32_t frame,
+std::chrono::nanoseconds planPaths(const PathPlan& plan, const PathErrors& errors, std::uint32_t frame,
                                    const PoolHandle& pool, std::vector<char>& had_others,
                                    SurfaceSamples& on) {
   const int width = on.columns() / on.perPixel();
@@ -56,25 +60,34 @@ std::chrono::nanoseconds planPaths(const PathPlan& plan, const ImageF& error, st
   const auto had = [&](int column, int y) -> char& {
     return had_others[static_cast<std::size_t>(y) * width + column / on.perPixel()];
   };
-  std::atomic<std::uint64_t> others = 0, newly = 0, planned = 0;
-  const auto time = pool.forEachRow(on.height(), [&](int y) {
-    std::uint64_t row_others = 0, row_newly = 0, row_planned = 0;
-    for (int column = 0; column < on.columns(); ++column) {
-      SurfacePoint& p = on.at(column, y);
-      if (p.isUncacheable()) {
-        ++row_others, row_newly += !had(column, y);
-        continue;
+  std::atomic<std::uint64_t> others, newly, planned;
+  const auto planShare = [&](float share) {
+    others = newly = planned = 0;
+    return pool.forEachRow(on.height(), [&](int y) {
+      std::uint64_t row_others = 0, row_newly = 0, row_planned = 0;
+      for (int column = 0; column < on.columns(); ++column) {
+        SurfacePoint& p = on.at(column, y);
+        if (p.isUncacheable()) {
+          ++row_others, row_newly += !had(column, y);
+          continue;
+        }
+        p.paths = 0;
+        const float change = errors.change ? errors.change->at(column, y) : 0;
+        if (const float e = errors.light.at(column, y); e > 0)
+          p.paths = static_cast<std::uint32_t>(share * p.share * wantedPaths(plan, e, change) +
+                                               ditherAt(column, y, frame));
+        // The whole pixel is sampled, if another method is to estimate it.
+        if (on.hasUncacheable() && on.hasUncacheable(column / on.perPixel(), y))
+          p.paths = std::max(p.paths, 1u);
+        row_planned += p.paths;
       }
-      p.paths = 0;
-      if (const float e = error.at(column, y); e > 0)
-        p.paths = static_cast<std::uint32_t>(p.share * wantedPaths(plan, e) + ditherAt(column, y, frame));
-      // The whole pixel is sampled, if another method is to estimate it.
-      if (on.hasUncacheable() && on.hasUncacheable(column / on.perPixel(), y))
-        p.paths = std::max(p.paths, 1u);
-      row_planned += p.paths;
-    }
-    others += row_others, newly += row_newly, planned += row_planned;
-  });
+      others += row_others, newly += row_newly, planned += row_planned;
+    });
+  };
+  auto time = planShare(1);
+  const float most = plan.asked * static_cast<float>(width * on.height());
+  if (const auto all = static_cast<float>(planned); plan.most > plan.asked && all > most)
+    time += planShare(most / all);
   if (others == 0) return std::ranges::fill(had_others, 0), time;
   const std::uint32_t paths = pathsForOthers(plan, on, others, planned);
   const std::uint32_t for_new = pathsForNew(plan, on, paths, newly);

@@ -32,9 +32,13 @@ struct LightChangeTest : testing::Test {
         on.place(i) = {at, {0, 0, 1}, kPixel, 0};
         on.light(i).residual = 1 + d, on.replays()[i].residual = 1;
       }
+    estimateChange(strengths);
+  }
+  // Of the samples of `cur`.
+  void estimateChange(std::uint64_t strengths) {
     states.enter(strengths, frame++);
-    Placement at, before;
-    states.current().grid.place(on, nullptr, pool, before, at);
+    Placement before;
+    states.current().grid.place(*cur.surfaces, nullptr, pool, before, at);
     change.estimate({cur, prev}, at, states.current(), estimate, pool, times);
   }
   void expectChange(float d) const {
@@ -45,6 +49,7 @@ struct LightChangeTest : testing::Test {
   Frame cur, prev;
   TilePool pool{2};
   LightStates states{{}, std::size_t{1} << 24};
+  Placement at;
   LightChange change{kW, kH};
   GridEstimate estimate{kW, kH};
   StageTimes times;
@@ -54,6 +59,36 @@ struct LightChangeTest : testing::Test {
 TEST_F(LightChangeTest, AnEvenChangeIsFoundExactly) {
   for (int t = 0; t < 4; ++t) step(1, 0.3f * float(t), 0.25f);
   expectChange(0.25f);
+}
+
+TEST_F(LightChangeTest, AFrameWithoutDifferencesHasNoChange) {
+  for (int t = 0; t < 4; ++t) step(1, 0.3f * float(t), 0.25f);
+  step(1, 1.2f, 0);
+  expectChange(0);
+}
+
+// The same noise of changes is another part of the light.
+TEST_F(LightChangeTest, TheErrorOfAChangeIsRelativeToTheLight) {
+  const auto errorIn = [&](float light) {
+    const auto strengths = static_cast<std::uint64_t>(100 * light);
+    for (int t = 0; t < 8; ++t) {
+      step(strengths, 0, 0);
+      SurfaceSamples& on = *cur.surfaces;
+      for (std::size_t i = 0; i < on.indexOf(0, kH); ++i) {
+        on.light(i).residual = light;
+        on.replays()[i].residual = light + ((i / 3 + static_cast<std::size_t>(t)) % 2 ? 0.01f : -0.01f);
+      }
+      estimateChange(strengths);
+      states.current().grid.add({on, cur.g, at}, pool);
+    }
+    ImageF error(kW, kH);
+    const LightState& state = states.current();
+    state.grid.errorOfChange({*cur.surfaces, cur.g, at}, state.changes, pool, error);
+    return error.at(kW / 2, kH / 2);
+  };
+  const float bright = errorIn(1), dark = errorIn(0.1f);
+  EXPECT_GT(bright, 0);
+  EXPECT_NEAR(dark / bright, 10, 0.01);
 }
 
 // The grids of two sets of strengths have vertices of their own, in an order of their own.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/tile_pool.h"
 
 namespace saccade {
@@ -10,12 +12,14 @@ namespace {
 constexpr int kW = 32, kH = 24;
 constexpr PathPlan kPlan{.asked = 8, .usual = 6, .target = 0.1f};
 
+constexpr PathPlan kMoving{.asked = 8, .usual = 6, .target = 0.1f, .most = 32, .target_of_change = 0.02f};
+
 struct PathPlanTest : testing::Test {
   PathPlanTest() {
     for (int y = 0; y < kH; ++y)
       for (SurfacePoint& p : on.row(y)) p.share = 1, p.kind = SurfaceKind::kDiffuse;
   }
-  void plan(std::uint32_t frame = 0) { planPaths(kPlan, error, frame, pool, had_others, on); }
+  void plan(std::uint32_t frame = 0) { planPaths(kPlan, {error}, frame, pool, had_others, on); }
   double mean() const {
     double sum = 0;
     for (int y = 0; y < kH; ++y)
@@ -37,6 +41,25 @@ TEST_F(PathPlanTest, TheBetterLightIsKnownTheFewerPaths) {
     plan();
     EXPECT_NEAR(mean(), paths, 0.02 * paths) << relative;
   }
+}
+
+// A change that is known badly takes more paths than light does, up to a bound of their own.
+TEST_F(PathPlanTest, TheWorseAChangeIsKnownTheMorePaths) {
+  error.fill(0.05f);  // 3 paths
+  ImageF change(kW, kH);
+  constexpr float kOfRow[] = {0, 0.5f, 1, 2, 9};  // over the error aimed at
+  for (int y = 0; y < 5; ++y) std::fill_n(change.row(y), kW, kOfRow[y] * kMoving.target_of_change);
+  planPaths(kMoving, {error, &change}, 0, pool, had_others, on);
+  constexpr std::uint32_t kExpected[] = {3, 3, 6, 24, 32};
+  for (int y = 0; y < 5; ++y) EXPECT_EQ(on.at(7, y).paths, kExpected[y]) << y;
+}
+
+TEST_F(PathPlanTest, AllPathsTogetherAreNoMoreThanAsked) {
+  error.fill(1e18f);
+  ImageF change(kW, kH);
+  change.fill(1);
+  planPaths(kMoving, {error, &change}, 0, pool, had_others, on);
+  EXPECT_NEAR(mean(), kMoving.asked, 0.05 * kMoving.asked);
 }
 
 // Fractions of a path are rounded up in one frame and down in another.
@@ -96,10 +119,10 @@ TEST_F(PathPlanTest, PointsBesideSuchASurfaceAreSampled) {
   SurfaceSamples two(kW, kH, 2);
   ImageF known(two.columns(), kH);
   for (SurfacePoint& p : two.of(3, 4)) p.share = 0.5f, p.kind = SurfaceKind::kDiffuse;
-  planPaths(kPlan, known, 0, pool, had_others, two);
+  planPaths(kPlan, {known}, 0, pool, had_others, two);
   EXPECT_EQ(two.of(3, 4)[0].paths, 0u);
   two.of(3, 4)[1].kind = SurfaceKind::kNone;
-  planPaths(kPlan, known, 0, pool, had_others, two);
+  planPaths(kPlan, {known}, 0, pool, had_others, two);
   EXPECT_EQ(two.of(3, 4)[0].paths, 1u);
 }
 

@@ -1,8 +1,10 @@
 // Light that moves: the grid forgets it, or changes it.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cache/grid/grid_pieces.h"
+#include "cache/grid/level_blend.h"
 #include "cache/grid/surface_grid.h"
 
 namespace saccade {
@@ -46,6 +48,27 @@ SurfaceGrid::Time SurfaceGrid::moveOn(const FrameOnGrid& frame, const ImageF& ch
           light[1] = std::max(std::min(light[1], 0.f), light[1] + light[0] * step.sum / step.weight);
         }
     });
+  });
+}
+
+SurfaceGrid::Time SurfaceGrid::errorOfChange(const FrameOnGrid& frame, const SurfaceGrid& changes,
+                                             const PoolHandle& pool, ImageF& out) const {
+  const SurfaceSamples& on = frame.on;
+  const Placement& at = frame.at;
+  const int slot = params_.pixelSlot(), pooled = slot + kPoolSteps;
+  for (int y = 0; y < out.height(); ++y) std::fill_n(out.row(y), out.width(), 0.f);
+  return pool.run((on.height() + kBandRows - 1) / kBandRows, [&](int band) {
+    const auto [first, end] = at.ofBand(band);
+    for (std::size_t i = first; i < end; ++i) {
+      const GridPoint& p = at.points[i];
+      const Quad l = gather(levels_[p.level + slot].light, at, p, slot);
+      const Quad change = gather(changes.levels_[p.level + slot].light, at, p, slot);
+      const Octet e = gather(changes.levels_[p.level + pooled].evidence, at, p, pooled);
+      const float direct = l[3] > 0 ? on.place(p.index).unoccluded * l[2] / l[3] : 0;
+      const float light = l[0] > 0 ? l[1] / l[0] + direct : 0;
+      const float variance = varianceOf<float>(e[2], e[3], change[0], params_.blend);
+      if (light > 0) out.at(on.columnOf(p.index), on.rowOf(p.index)) = std::sqrt(variance) / light;
+    }
   });
 }
 

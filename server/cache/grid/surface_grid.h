@@ -76,6 +76,11 @@ class SurfaceGrid {
   // 0. Its noise then counts as none. nullptr: rays tell it nowhere.
   Time uncertainty(const FrameOnGrid& frame, const PoolHandle& pool, ImageF& out,
                    ImageF* shadow_detail = nullptr) const;
+  // Standard deviation of the mean change over a cell of about two pixels, relative to the light there. It is
+  // that at the points of a frame, and 0 where nothing is known. `changes`: a grid of changes that does
+  // follow() this one. `out` has the columns of SurfaceSamples.
+  Time errorOfChange(const FrameOnGrid& frame, const SurfaceGrid& changes, const PoolHandle& pool,
+                     ImageF& out) const;
   // The steps that a frame has gone through.
   struct Added {
     FrameOnGrid frame;
