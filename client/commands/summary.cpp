@@ -146,7 +146,7 @@ void printWithheld(std::FILE* out, const Recorder& recorder, const v1::OpenStrea
   if (others > 0) {
     print(out, "%llu events withheld: ", others);
     if (sensor.refractory_s() > 0) print(out, "the refractory period is %g s, and ", sensor.refractory_s());
-    print(out, "limits are %u per pixel and frame, which --max-events raises, and %llu per frame\n",
+    print(out, "limits are %u per pixel and interval, which --max-events raises, and %llu per interval\n",
           sensor.max_events_per_pixel_frame(), Count{sensor.max_events_per_frame()});
   }
   if (withheld.artefacts > 0)

@@ -91,8 +91,10 @@ void addSensorOptions(CLI::App& command, SensorOptions& o) {
       ->delimiter(',');
   command.add_option("--max-artefact-odds", o.max_artefact_odds,
                      "withhold events with higher odds to be an artefact of rendering");
-  command.add_option("--max-events", o.max_events,
-                     "events of a pixel in one frame; further ones are withheld and counted; default 32");
+  command.add_option(
+      "--max-events", o.max_events,
+      "events of a pixel from one whole frame to the next; further ones are withheld and counted; "
+      "default 32");
   command.add_option("--cutoff", o.cutoff_hz,
                      "Hz below which --reconstruction complementary follows the picture; default 0.5");
 }

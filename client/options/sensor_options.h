@@ -18,7 +18,7 @@ struct SensorOptions {
   std::string model, start_level, reconstruction, preset;
   std::vector<std::string> noise;  // name=value
   std::optional<double> max_artefact_odds;
-  std::optional<std::uint32_t> max_events;  // of a pixel in a frame
+  std::optional<std::uint32_t> max_events;  // of a pixel in an interval
 };
 
 void addSensorOptions(CLI::App& command, SensorOptions& options);

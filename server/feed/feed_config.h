@@ -19,7 +19,8 @@ struct RefinementSettings {
   double finest_px = 1. / 16;  // motion within the shortest pieces, pixels, > 0
   double threshold = 0.2;      // log brightness, > 0
   double bias = 1e-3;          // scene luminance, > 0
-  // Of a pixel, in the mean over a tile. Where pieces of one length would exceed it, none is split further.
+  // Of a pixel, in the mean over a tile. Where pieces would exceed it, those nearest to their lines stay
+  // whole.
   double most_updates = 8;
 };
 

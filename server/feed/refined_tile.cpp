@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 #include "base/log_ratio.h"
 #include "base/scratch.h"
@@ -18,6 +19,7 @@ struct Piece {
   std::uint8_t x, y;          // within the tile
   std::uint8_t middle, half;  // moments; half: from the middle to either end
   float from, to;
+  float off;  // how far the middle of the piece that this is half of is off its line; 0: this is a whole one
 
   float line() const { return 0.5f * (from + to); }
 };
@@ -93,7 +95,8 @@ void listPieces(const RefinedInterval& interval, Tile tile, const TileMask& mask
         for (std::uint32_t row = mask[y] >> x0 & 0xfu; row != 0; row &= row - 1) {
           const int x = x0 + std::countr_zero(row);
           out.push_back({static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), half, half,
-                         interval.L0.at(tile.x0 + x, tile.y0 + y), interval.L1.at(tile.x0 + x, tile.y0 + y)});
+                         interval.L0.at(tile.x0 + x, tile.y0 + y), interval.L1.at(tile.x0 + x, tile.y0 + y),
+                         0});
         }
 }
 
@@ -120,6 +123,7 @@ void forEachChunk(std::span<const Piece> pieces, bool of_one_moment, const auto&
 
 struct Memory {
   std::vector<Piece> level, next;
+  std::vector<float> off;
   UpdateGrid grid;
   PieceSampler sampler;
 };
@@ -137,14 +141,24 @@ void splitLevel(const RefinedInterval& interval, Tile tile, Memory& m) {
       const Piece& whole = pieces[k];
       m.grid.set(whole, I);
       const float L = logBrightness(I, interval.bias);
-      if (std::abs(L - whole.line()) < interval.enough) continue;
+      const float off = std::abs(L - whole.line());
+      if (off < interval.enough) continue;
       const auto half = static_cast<std::uint8_t>(whole.half / 2);
       const auto first = static_cast<std::uint8_t>(whole.middle - half);
       const auto second = static_cast<std::uint8_t>(whole.middle + half);
-      m.next.push_back({whole.x, whole.y, first, half, whole.from, L});
-      m.next.push_back({whole.x, whole.y, second, half, L, whole.to});
+      m.next.push_back({whole.x, whole.y, first, half, whole.from, L, off});
+      m.next.push_back({whole.x, whole.y, second, half, L, whole.to, off});
     }
   });
+}
+
+// Keeps at most `room` pieces of m.level: those whose lines were furthest off, in their order.
+void keepFurthest(std::size_t room, Memory& m) {
+  m.off.clear();
+  for (const Piece& piece : m.level) m.off.push_back(piece.off);
+  const auto cut = m.off.begin() + static_cast<std::ptrdiff_t>(room);
+  std::nth_element(m.off.begin(), cut, m.off.end(), std::greater<>());
+  std::erase_if(m.level, [least = *cut](const Piece& piece) { return piece.off <= least; });
 }
 
 }  // namespace
@@ -158,11 +172,12 @@ void RefinedTile::refine(const RefinedInterval& interval, Tile tile, int levels,
   if (m.level.empty()) return;
   const int moments = 1 << interval.levels;
   m.grid.clear(moments);
-  const double most = interval.most_updates * (tile.x1 - tile.x0) * (tile.y1 - tile.y0);
+  const auto most =
+      static_cast<std::size_t>(interval.most_updates * (tile.x1 - tile.x0) * (tile.y1 - tile.y0));
   for (int level = 0; level < levels && !m.level.empty(); ++level, std::swap(m.level, m.next)) {
-    if (static_cast<double>(samples_ + m.level.size()) > most) {
-      unsplit_ = m.level.size() / 2;
-      break;
+    if (const std::size_t asked = m.level.size(), room = most - samples_; asked > room) {
+      keepFurthest(room, m);
+      unsplit_ += (asked - m.level.size()) / 2;
     }
     samples_ += m.level.size();
     splitLevel(interval, tile, m);

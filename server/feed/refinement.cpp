@@ -11,8 +11,9 @@ namespace {
 
 // Of the least threshold. A pixel can have changed where the range around it exceeds kRange of it. A middle
 // that is off the line by less than kOffLine of it ends the search.
-constexpr double kRange = 1, kOffLine = 0.03;
-constexpr int kBeside = 1;  // pixels beyond the motion that count: without them 15 % more error
+constexpr double kRange = 1, kOffLine = 0.02;
+// Pixels beyond the motion that count: 1 looks up 7 % more, with 2 % less error.
+constexpr float kBeside = 0.5f;
 constexpr float kMostMotion = kMostReach - kBeside;
 
 }  // namespace
@@ -77,7 +78,7 @@ std::chrono::nanoseconds Refinement::refine(const Interval& interval, const Pool
     const Tile tile{x, y, std::min(x + kTileEdge, width_), std::min(y + kTileEdge, height_)};
     const float motion = motionAround(i);
     tiles_[static_cast<std::size_t>(i)].refine(refined, tile, levelsFor(motion),
-                                               static_cast<int>(std::ceil(motion)) + kBeside);
+                                               static_cast<int>(std::ceil(motion + kBeside)));
   });
   return time + pool.run(1, [&](int) { join(change); });
 }

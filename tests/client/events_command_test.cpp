@@ -121,7 +121,7 @@ TEST_F(EventsCommand, NamesTheOptionThatGivesAllEventsOfAStep) {
   };
   const Result few = events(video_, step);
   EXPECT_EQ(count(), 32 * kPixels);
-  EXPECT_TRUE(holds(few, "limits are 32 per pixel and frame, which --max-events raises")) << few.output;
+  EXPECT_TRUE(holds(few, "limits are 32 per pixel and interval, which --max-events raises")) << few.output;
   const Result all = events(video_, step + "--max-events 64");
   EXPECT_FALSE(holds(all, "withheld")) << all.output;
   EXPECT_GE(count(), 34 * kPixels);

@@ -191,7 +191,7 @@ TEST_F(RefinementTest, AllocatesNothingInTheSteadyState) {
   EXPECT_EQ(allocationsOf(refined, 100), allocationsOf(frames, 0));
 }
 
-TEST_F(RefinementTest, StopsWhereATileHasNoRoom) {
+TEST_F(RefinementTest, KeepsPiecesWholeWhereATileHasNoRoom) {
   Scene noise = test::furnace(0.6f, 0);
   noise.materials[0].reflectance = {.kind = SurfaceColor::Kind::kCheckerboard,
                                     .color0 = {0.9f, 0.9f, 0.9f},
@@ -203,7 +203,7 @@ TEST_F(RefinementTest, StopsWhereATileHasNoRoom) {
   const IntensityChange& change = feed.step(pool);
   EXPECT_GT(feed.refined().unsplit, 0u);
   EXPECT_LE(static_cast<double>(change.updates.size()), config().refinement->most_updates * kW * kH);
-  EXPECT_GT(change.updates.size(), 2u * kW * kH);
+  EXPECT_GT(change.updates.size(), 7u * kW * kH) << "pieces far from their lines take what is left";
 }
 
 // A lamp, a floor, and a card between them that moves.

@@ -31,7 +31,7 @@ def main() -> None:
     (width, height), duration_s = (160, 120), 0.5 if options.picture else 0.0  # 0: until the window is closed
     image = plt.imshow(np.ones((height, width, 3)))
     with saccade.connect() as client:
-        with client.open(scene=options.scene, motion="right", size=(width, height), rate_hz=200,
+        with client.open(scene=options.scene, motion="right", size=(width, height),
                          duration_s=duration_s) as stream:
             for events in saccade.windows(stream, duration_us=WINDOW_US):
                 if not plt.fignum_exists(image.figure.number):

@@ -90,7 +90,7 @@ void PointSampler::addDeltaLight(const PointView& view, std::span<const PixelMom
   light.finish();
 }
 
-// Where both frames can ask for rays at the pixel, they have decided. A penumbra may come from a neighbour.
+// Where both frames can ask for rays at the pixel, they have decided, by its neighbours too.
 PointSampler::RayPlan PointSampler::planRays(const PixelMoment& at, const EndShadows& ends,
                                              const PlaceLight& light) {
   if (!(light.shadow > 0)) return {};
@@ -101,12 +101,7 @@ PointSampler::RayPlan PointSampler::planRays(const PixelMoment& at, const EndSha
   }
   RayPlan plan{ends.now.shadows()[pixel].wanted, 0, true};
   if (plan.wanted == 0) return plan;
-  const int right = std::min<int>(at.x + 1, ends.now.columns() - 1);
-  const int bottom = std::min<int>(at.y + 1, ends.now.height() - 1);
-  for (int y = std::max(0, at.y - 1); y <= bottom; ++y)
-    for (int x = std::max(0, at.x - 1); x <= right; ++x)
-      for (const LampRays& rays : ends.rays.of(ends.now.indexOf(x, y)))
-        plan.rays = std::max(plan.rays, rays.count);
+  for (const LampRays& rays : ends.rays.of(pixel)) plan.rays = std::max(plan.rays, rays.count);
   return plan;
 }
 
