@@ -54,7 +54,7 @@ struct TilePool::Workers {
   static bool isUrgent(const Job& job) { return job.priority == Priority::kUrgent; }
   bool idle() const { return urgent.jobs.empty() && others.jobs.empty(); }
   void submit(Job& job);
-  void runPiece(Open& open, std::unique_lock<std::mutex>& lock);
+  std::chrono::nanoseconds runPiece(Open& open, std::unique_lock<std::mutex>& lock);
   void runUrgent();
 
   std::mutex mutex;
@@ -90,7 +90,8 @@ void TilePool::Workers::submit(Job& job) {
 }
 
 // Takes the next piece of `open`, which has one. Its CPU time is without that of the pieces it let go first.
-void TilePool::Workers::runPiece(Open& open, std::unique_lock<std::mutex>& lock) {
+// Returns the time of all of them.
+std::chrono::nanoseconds TilePool::Workers::runPiece(Open& open, std::unique_lock<std::mutex>& lock) {
   auto& [jobs, turn] = open;
   if (turn >= jobs.size()) turn = 0;  // behind the last one comes the first
   Job& job = *jobs[turn];
@@ -121,6 +122,7 @@ void TilePool::Workers::runPiece(Open& open, std::unique_lock<std::mutex>& lock)
   if (fault) job.fault = fault;
   // With the lock: without it the caller might be gone already, and the job with it.
   if (--job.running == 0 && job.next == job.count) job.done.notify_one();
+  return used;
 }
 
 void TilePool::Workers::runUrgent() {
@@ -135,11 +137,10 @@ void TilePool::Workers::work() {
   while (true) {
     wanted.wait(lock, [&] { return stop || !idle(); });
     if (stop) return;
-    const auto cpu = threadCpuTime();
     const auto began = ReceivedShare::Clock::now();
-    runPiece(urgent.jobs.empty() ? others : urgent, lock);
+    const auto used = runPiece(urgent.jobs.empty() ? others : urgent, lock);
     const auto now = ReceivedShare::Clock::now();
-    share.add(threadCpuTime() - cpu, now - began, now);
+    share.add(used, now - began, now);
   }
 }
 

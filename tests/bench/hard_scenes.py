@@ -107,7 +107,7 @@ FIGURES = [
     ("bulb_sky_1000: noise at 64 paths over bulb_nosky's", over_noise("bulb_sky_1000", "bulb_nosky"), "<=", 1.2),
     ("house_sky_50: noise at 64 paths over house_nosky's", over_noise("house_sky_50", "house_nosky"), "<=", 1.2),
     *((f"{scene}: {column} over the better rival's", over_rivals(scene, column), "<=", 1)
-      for scene in ("glass_and_mirror", "metal_ball", "plastic_balls")
+      for scene in ("glass_and_mirror", "metal_ball", "plastic_balls", "rough_plastics")
       for column in ("dI_error", "false_events", "missed_events")),
     ("cornell-bunny: error of dL at 8 paths over that at 2", over_two_paths("cornell-bunny", 8), "<=", 0.8),
     ("cornell-bunny: error of dL at 32 paths over that at 2", over_two_paths("cornell-bunny", 32), "<=", 0.6),

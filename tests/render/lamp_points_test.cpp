@@ -63,6 +63,17 @@ TEST_F(LampPointsOf, LieOnTheirLamp) {
   }
 }
 
+// Numbers that are spaced evenly lie evenly along an edge.
+TEST_F(LampPointsOf, AreEvenlySpacedOnARectangle) {
+  constexpr int kRays = 8;
+  for (int i = 0; i < kRays; ++i) {
+    const float number = (static_cast<float>(i) + 0.5f) / kRays;
+    const Vec3 first = lamps.at(0, 0, number, 0.3f).position, second = lamps.at(0, 0, 0.3f, number).position;
+    EXPECT_NEAR(std::abs(first.y - -1), 2 * number, 1e-5) << i;
+    EXPECT_NEAR(std::abs(second.x - -1), number, 1e-5) << i;
+  }
+}
+
 // A steep surface sees a sliver of the large lamp alone. All of its points are there.
 TEST_F(LampPointsOf, LieAboveTheHorizon) {
   const Vec3 normal = normalize(Vec3{1, 0, -0.07f});

@@ -20,6 +20,19 @@ Vec3 pointOn(const Polygon& polygon, const std::array<float, Polygon::kMaxCorner
   return a * (1 - s) + b * (s * (1 - u2)) + c * (s * u2);
 }
 
+// Uniform on a parallelogram. Unlike pointOn(), it keeps numbers along an edge evenly spaced.
+Vec3 pointOnParallelogram(const Polygon& quad, float u1, float u2) {
+  const Vec3 a = quad.corners[0];
+  return a + (quad.corners[1] - a) * u1 + (quad.corners[3] - a) * u2;
+}
+
+bool isParallelogram(const Polygon& polygon) {
+  constexpr float kRounding = 1e-5f;
+  if (polygon.count != 4) return false;
+  const auto& at = polygon.corners;
+  return length((at[0] - at[1]) + (at[2] - at[3])) <= kRounding * length(at[2] - at[0]);
+}
+
 // A place on a disk, uniform by area.
 LampPoints::Point pointOnDisk(const Disk& disk, const LitPoint& from, float form_factor, float u1, float u2) {
   const float r = disk.radius * std::sqrt(u1), turn = 2 * std::numbers::pi_v<float> * u2;
@@ -67,6 +80,7 @@ void LampPoints::lookFrom(const LitPoint& from, Rgb reflectance) {
 void LampPoints::measure(Seen& seen) {
   if (seen.side->radius > 0) return;
   const Polygon& part = seen.part;
+  seen.is_parallelogram = isParallelogram(part);
   for (std::size_t k = 2; k < part.count; ++k) {
     const Vec3 a = part.corners[0];
     const float area = length(cross(part.corners[k - 1] - a, part.corners[k] - a)) / 2;
@@ -84,7 +98,8 @@ LampPoints::Point LampPoints::at(int group, float u, float u1, float u2) const {
     return pointOnSphere(*seen.side, from_, seen.form_factor, u1, u2);
   if (seen.side->form == AnalyticLight::Side::Form::kDisk)
     return pointOnDisk(seen.side->disk(), from_, seen.form_factor, u1, u2);
-  const Vec3 segment = pointOn(seen.part, seen.areas, u1, u2);
+  const Vec3 segment = seen.is_parallelogram ? pointOnParallelogram(seen.part, u1, u2)
+                                             : pointOn(seen.part, seen.areas, u1, u2);
   const float leaving = -dot(segment, seen.side->normal), arriving = dot(segment, from_.normal);
   const float distance2 = dot(segment, segment);
   return {from_.point + segment,

@@ -30,6 +30,7 @@ class LampPoints {
   struct Seen {
     const AnalyticLight::Side* side = nullptr;
     Polygon part;                                     // of a polygon, from the surface; of others empty
+    bool is_parallelogram = false;                    // that part
     std::array<float, Polygon::kMaxCorners> areas{};  // of a fan of triangles, up to each corner
     float form_factor = 0;
     float weight = 0;  // of its points: area / (pi * form factor)
