@@ -50,51 +50,81 @@ std::uint32_t pathsForNew(const PathPlan& plan, const SurfaceSamples& on, std::u
   return static_cast<std::uint32_t>(paths * std::min(times, kMostForNew));
 }
 
+// Of points of a frame.
+struct Counts {
+  std::atomic<std::uint64_t> others, newly;  // of kNone; those in pixels that showed none before
+  std::atomic<std::uint64_t> planned;        // paths of all other points
+};
+
+// Which pixels of the frame before showed points of kNone.
+class ShownBefore {
+ public:
+  ShownBefore(std::vector<char>& of_pixels, const SurfaceSamples& on)
+      : of_pixels_(of_pixels), per_pixel_(on.perPixel()), width_(on.columns() / on.perPixel()) {
+    if (of_pixels_.empty()) of_pixels_.assign(static_cast<std::size_t>(width_) * on.height(), 1);
+  }
+  bool at(int column, int y) const { return of_pixels_[pixel(column / per_pixel_, y)] != 0; }
+  void set(const SurfaceSamples& on, int y) {
+    for (int x = 0; x < width_; ++x) of_pixels_[pixel(x, y)] = on.hasUncacheable(x, y);
+  }
+
+ private:
+  std::size_t pixel(int x, int y) const { return static_cast<std::size_t>(y) * width_ + x; }
+
+  std::vector<char>& of_pixels_;
+  int per_pixel_, width_;
+};
+
+// The whole pixel is sampled, if another method is to estimate it.
+std::uint32_t leastPaths(const SurfaceSamples& on, int column, int y) {
+  return on.hasUncacheable() && on.hasUncacheable(column / on.perPixel(), y) ? 1 : 0;
+}
+
+// Gives `share` of what they want to the points of a row that are not of kNone, and counts all of them.
+void planRow(const PathPlan& plan, const PathErrors& errors, std::uint32_t frame, float share, int y,
+             const ShownBefore& before, SurfaceSamples& on, Counts& counts) {
+  std::uint64_t others = 0, newly = 0, planned = 0;
+  for (int column = 0; column < on.columns(); ++column) {
+    SurfacePoint& p = on.at(column, y);
+    if (p.isUncacheable()) {
+      ++others, newly += !before.at(column, y);
+      continue;
+    }
+    p.paths = 0;
+    const float change = errors.change ? errors.change->at(column, y) : 0;
+    if (const float e = errors.light.at(column, y); e > 0)
+      p.paths = static_cast<std::uint32_t>(share * p.share * wantedPaths(plan, e, change) +
+                                           ditherAt(column, y, frame));
+    p.paths = std::max(p.paths, leastPaths(on, column, y));
+    planned += p.paths;
+  }
+  counts.others += others, counts.newly += newly, counts.planned += planned;
+}
+
 }  // namespace
 
 std::chrono::nanoseconds planPaths(const PathPlan& plan, const PathErrors& errors, std::uint32_t frame,
                                    const PoolHandle& pool, std::vector<char>& had_others,
                                    SurfaceSamples& on) {
-  const int width = on.columns() / on.perPixel();
-  if (had_others.empty()) had_others.assign(static_cast<std::size_t>(width) * on.height(), 1);
-  const auto had = [&](int column, int y) -> char& {
-    return had_others[static_cast<std::size_t>(y) * width + column / on.perPixel()];
-  };
-  std::atomic<std::uint64_t> others, newly, planned;
+  ShownBefore before(had_others, on);
+  Counts counts;
   const auto planShare = [&](float share) {
-    others = newly = planned = 0;
-    return pool.forEachRow(on.height(), [&](int y) {
-      std::uint64_t row_others = 0, row_newly = 0, row_planned = 0;
-      for (int column = 0; column < on.columns(); ++column) {
-        SurfacePoint& p = on.at(column, y);
-        if (p.isUncacheable()) {
-          ++row_others, row_newly += !had(column, y);
-          continue;
-        }
-        p.paths = 0;
-        const float change = errors.change ? errors.change->at(column, y) : 0;
-        if (const float e = errors.light.at(column, y); e > 0)
-          p.paths = static_cast<std::uint32_t>(share * p.share * wantedPaths(plan, e, change) +
-                                               ditherAt(column, y, frame));
-        // The whole pixel is sampled, if another method is to estimate it.
-        if (on.hasUncacheable() && on.hasUncacheable(column / on.perPixel(), y))
-          p.paths = std::max(p.paths, 1u);
-        row_planned += p.paths;
-      }
-      others += row_others, newly += row_newly, planned += row_planned;
-    });
+    counts.others = counts.newly = counts.planned = 0;
+    return pool.forEachRow(on.height(),
+                           [&](int y) { planRow(plan, errors, frame, share, y, before, on, counts); });
   };
   auto time = planShare(1);
-  const float most = plan.asked * static_cast<float>(width * on.height());
-  if (const auto all = static_cast<float>(planned); plan.most > plan.asked && all > most)
+  const float most = plan.asked * static_cast<float>(on.columns() / on.perPixel() * on.height());
+  if (const auto all = static_cast<float>(counts.planned); plan.most > plan.asked && all > most)
     time += planShare(most / all);
-  if (others == 0) return std::ranges::fill(had_others, 0), time;
-  const std::uint32_t paths = pathsForOthers(plan, on, others, planned);
-  const std::uint32_t for_new = pathsForNew(plan, on, paths, newly);
+  if (counts.others == 0) return std::ranges::fill(had_others, 0), time;
+  const std::uint32_t paths = pathsForOthers(plan, on, counts.others, counts.planned);
+  const std::uint32_t for_new = pathsForNew(plan, on, paths, counts.newly);
   return time + pool.forEachRow(on.height(), [&](int y) {
     for (int column = 0; column < on.columns(); ++column)
-      if (SurfacePoint& p = on.at(column, y); p.isUncacheable()) p.paths = had(column, y) ? paths : for_new;
-    for (int x = 0; x < width; ++x) had(x * on.perPixel(), y) = on.hasUncacheable(x, y);
+      if (SurfacePoint& p = on.at(column, y); p.isUncacheable())
+        p.paths = before.at(column, y) ? paths : for_new;
+    before.set(on, y);
   });
 }
 
