@@ -96,7 +96,8 @@ TEST_F(GltfAnimations, AreOfNoOtherFormat) {
     loadSceneFile(file, {});
     FAIL();
   } catch (const SceneError& fault) {
-    EXPECT_NE(std::string(fault.what()).find("only files of glTF have animations"), std::string::npos);
+    EXPECT_NE(std::string(fault.what()).find("there is no animation 'Run': only files of glTF have any"),
+              std::string::npos);
   }
 }
 

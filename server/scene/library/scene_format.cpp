@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "base/names.h"
+#include "base/text_cut.h"
 #include "scene/files/scene_error.h"
 #include "scene/gltf/gltf.h"
 #include "scene/library/scene_folder.h"
@@ -32,7 +33,8 @@ std::string join(std::string SceneFormat::*text) {
 // Motions and trajectories beside the file come before those in it.
 Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& options) {
   if (const auto chosen = chosenAnimation(file, options); chosen && !formatOf(file).animations)
-    throw chosen->error("only files of glTF have animations");
+    throw chosen->error("there is no animation '" + cutText(chosen->name, kMaxEcho) +
+                        "': only files of glTF have any");
   for (OwnMotion& motion : readOwnMotions(file, shapeNames(scene), options)) {
     std::erase_if(scene.motions, [&](const OwnMotion& other) { return other.name == motion.name; });
     scene.motions.push_back(std::move(motion));
