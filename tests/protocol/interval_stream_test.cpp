@@ -32,14 +32,15 @@ std::string bytesOf(const std::map<std::uint32_t, Packets>& packets) {
 
 TEST(Intervals, HaveTheEventsOfShortFrames) {
   TestServer server(2);
-  v1::OpenStream coarse = following(), fine = following();
+  v1::OpenStream whole = following(), coarse = whole, fine = whole;
+  whole.mutable_timing()->mutable_refinement()->set_finest_px(whole.timing().interval_px());
   coarse.mutable_timing()->set_interval_px(0);
   fine.mutable_timing()->set_interval_px(0);
   fine.mutable_timing()->set_frame_rate_hz(1000);
   const auto count = [&](const v1::OpenStream& request) {
     return static_cast<double>(checkPackets(server.run(request)[0]).events);
   };
-  const double events = count(following()), of_fine = count(fine), of_coarse = count(coarse);
+  const double events = count(whole), of_fine = count(fine), of_coarse = count(coarse);
   EXPECT_GT(of_fine, 100);
   EXPECT_LT(std::abs(events - of_fine), 0.5 * std::abs(of_coarse - of_fine));
 }
