@@ -31,8 +31,8 @@ OrtSession* open(const OrtEnv* env, const std::string& file) {
                                                                                ort().ReleaseSessionOptions);
   check(ort().SetIntraOpNumThreads(options, 1), file);
   check(ort().SetSessionExecutionMode(options, ORT_SEQUENTIAL), file);
-  check(ort().DisableCpuMemArena(options),
-        file);  // an arena keeps up to twice what the largest picture needs
+  // An arena keeps up to twice what the largest picture needs.
+  check(ort().DisableCpuMemArena(options), file);
   check(ort().CreateSession(env, file.c_str(), options, &session), file);
   return session;
 }
