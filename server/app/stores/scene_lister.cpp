@@ -17,8 +17,8 @@ void SceneLister::index() const {
   const SceneLibrary& library = scenes_.library();
   try {
     if (!library.list().empty()) return;
-    spdlog::warn("{} holds no scene: a scene is a folder there with a file {}", library.folder().string(),
-                 sceneFileIn({}).string());
+    spdlog::warn("{} holds no scene: a scene is a folder there with one of {}", library.folder().string(),
+                 sceneFileNames());
   } catch (const std::exception& fault) {
     spdlog::warn("the scenes cannot be listed: {}", fault.what());
   }

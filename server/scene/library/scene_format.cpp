@@ -71,6 +71,12 @@ Scene outlineSceneFile(const fs::path& file, const LoadOptions& options) {
   return withFilesBeside(formatOf(file).outline(file.string(), options), file, options);
 }
 
+std::string sceneFileNames() {
+  std::vector<std::string> all;
+  for (const SceneFormat& format : sceneFormats()) all.push_back(kSceneStems[0] + format.extension);
+  return joinNames(all);
+}
+
 std::string formatFault(const fs::path& path) {
   if (findFormat(path)) return {};
   const bool is_blender = path.extension() == ".blend";

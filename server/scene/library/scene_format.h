@@ -39,6 +39,9 @@ std::string formatFault(const std::filesystem::path& path);
 // The names of a scene's file in its folder, without extension; the first comes before the others.
 inline constexpr const char* kSceneStems[] = {"scene", "model"};
 
+// "scene.xml, scene.gltf, ...", for messages: the first of these names with each extension.
+std::string sceneFileNames();
+
 // The file of the scene in `folder`: one of these names, with the extension of the first format that has a
 // file there. Where none has, the first name and that of the first format.
 std::filesystem::path sceneFileIn(const std::filesystem::path& folder);
