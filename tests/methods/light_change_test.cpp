@@ -67,7 +67,7 @@ TEST_F(LightChangeTest, AFrameWithoutDifferencesHasNoChange) {
   expectChange(0);
 }
 
-// The same noise of changes is another part of the light.
+// Equal noise of the change is a smaller share of brighter light.
 TEST_F(LightChangeTest, TheErrorOfAChangeIsRelativeToTheLight) {
   const auto errorIn = [&](float light) {
     const auto strengths = static_cast<std::uint64_t>(100 * light);

@@ -56,8 +56,8 @@ SurfaceGrid::Time SurfaceGrid::errorOfChange(const FrameOnGrid& frame, const Sur
   const SurfaceSamples& on = frame.on;
   const Placement& at = frame.at;
   const int slot = params_.pixelSlot(), pooled = slot + kPoolSteps;
-  for (int y = 0; y < out.height(); ++y) std::fill_n(out.row(y), out.width(), 0.f);
-  return pool.run((on.height() + kBandRows - 1) / kBandRows, [&](int band) {
+  return forEachBand(on, pool, [&](int band, int y0, int y1) {
+    for (int y = y0; y < y1; ++y) std::fill_n(out.row(y), out.width(), 0.f);
     const auto [first, end] = at.ofBand(band);
     for (std::size_t i = first; i < end; ++i) {
       const GridPoint& p = at.points[i];

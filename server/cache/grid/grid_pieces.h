@@ -1,6 +1,7 @@
 // The pieces that work on the grid is done in.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 
 #include "base/pool_handle.h"
@@ -22,6 +23,14 @@ void forEachPointOf(const Placement& at, int l, const F& f) {
     const GridPoint& p = at.points[i];
     if (const int slot = l - p.level; GridPoint::isSlot(slot)) f(i, p, slot);
   }
+}
+
+// f(band, y0, y1) for each band of rows, y0 to y1 - 1; Placement::ofBand() has its points.
+template <class F>
+std::chrono::nanoseconds forEachBand(const SurfaceSamples& on, const PoolHandle& pool, const F& f) {
+  return pool.run((on.height() + kBandRows - 1) / kBandRows, [&](int band) {
+    f(band, band * kBandRows, std::min((band + 1) * kBandRows, on.height()));
+  });
 }
 
 }  // namespace saccade

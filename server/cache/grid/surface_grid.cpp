@@ -19,14 +19,6 @@ constexpr float kEnough = 1 << 20;
 constexpr auto kAll = [](int, int) { return true; };
 constexpr auto kNothingElse = [](const auto&, const PointLanes&) {};
 
-// Calls f(band, y0, y1) for each band of rows, y0 to y1 - 1.
-template <class F>
-SurfaceGrid::Time forEachBand(const SurfaceSamples& on, const PoolHandle& pool, const F& f) {
-  return pool.run((on.height() + kBandRows - 1) / kBandRows, [&](int band) {
-    f(band, band * kBandRows, std::min((band + 1) * kBandRows, on.height()));
-  });
-}
-
 // Adds the estimates at a few points to their pixels.
 void addEstimates(const LevelBlend<PointFloats>& blend, const PointLanes& lanes, const FrameOnGrid& frame,
                   float cell_px, GridEstimate& out) {
