@@ -162,6 +162,19 @@ TEST_F(AnimatedScene, PlaysTheOneThatTheStreamChooses) {
   EXPECT_NE(walk.resolved.feedKey(), run.resolved.feedKey());
 }
 
+// Each choice is a scene in memory of its own, which Limit::kScenes counts.
+TEST_F(AnimatedScene, ScenesOfFurtherAnimationsAreBounded) {
+  auto walk = scenes.get("mine", {}, {}, "Walk"), run = scenes.get("mine", {}, {}, "Run");
+  Limits limits;
+  limits[Limit::kScenes] = static_cast<double>(scenes.bytes() - 1) / (1 << 20);
+  SceneCache few(files.path(""), limits);
+  walk = few.get("mine", {}, {}, "Walk");
+  EXPECT_THROW(few.get("mine", {}, {}, "Run"), LimitReached);
+  EXPECT_EQ(few.get("mine", {}, {}, "Walk"), walk);
+  walk.reset();
+  EXPECT_NE(few.get("mine", {}, {}, "Run"), nullptr);
+}
+
 TEST_F(AnimatedScene, TellsTheNamesThereAre) {
   EXPECT_EQ(scenes.library().list().at(0).animations, (std::vector<std::string>{"Walk", "Run"}));
   try {
