@@ -175,6 +175,19 @@ TEST_F(AnimatedScene, ScenesOfFurtherAnimationsAreBounded) {
   EXPECT_NE(few.get("mine", {}, {}, "Run"), nullptr);
 }
 
+TEST_F(AnimatedScene, NoMoreThanALimitAreListed) {
+  std::string all;
+  for (std::size_t i = 0; i <= kMostListedAnimations; ++i)
+    all +=
+        std::string(i ? "," : "") + R"({"name":"a)" + std::to_string(i) + R"(","channels":[],"samplers":[]})";
+  files.write("many/scene.gltf", test::gltf({test::kTriangleMesh, test::kTriangleNode,
+                                             test::triangle().json(), R"("animations":[)" + all + "]"}));
+  files.write("many/data.bin", test::triangle().bytes());
+  const SceneLibrary library(files.path(""));
+  EXPECT_EQ(library.animations("many").size(), kMostListedAnimations);
+  EXPECT_EQ(library.animations("many").back(), "a" + std::to_string(kMostListedAnimations - 1));
+}
+
 TEST_F(AnimatedScene, TellsTheNamesThereAre) {
   EXPECT_EQ(scenes.library().list().at(0).animations, (std::vector<std::string>{"Walk", "Run"}));
   try {
