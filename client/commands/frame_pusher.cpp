@@ -20,7 +20,7 @@ void FramePusher::push(std::int64_t done_ns) {
   }
   if (!ended_ || stream_.closed()) return;
   if (sent_ < 2) throw std::runtime_error("events need at least two frames");
-  if (done == sent_ - 1) stream_.close();
+  if (done == sent_ - 1) stream_.closeKnown();
 }
 
 // Returns false where the source has ended or the server has no room.

@@ -15,7 +15,7 @@ constexpr std::chrono::milliseconds kPollInterval{500};  // for Ctrl-C and the p
 // Ctrl-C is the normal end of an endless stream, and a fault of any other.
 void handleInterrupt(StreamHandle& stream) {
   if (stream.opened().frames() > 0) throw StreamFault("interrupted");
-  stream.close();
+  stream.closeKnown();
 }
 
 void showProgress(const Subscription& subscription, const StreamHandle& stream, const DecodedPacket& batch,

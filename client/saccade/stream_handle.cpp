@@ -46,6 +46,16 @@ void StreamHandle::close() {
   closed_ = true;
 }
 
+void StreamHandle::closeKnown() {
+  if (closed_) return;
+  try {
+    last_info_ = info();
+  } catch (const std::runtime_error&) {
+    // The stream can end without it.
+  }
+  close();
+}
+
 void StreamHandle::tellClose() {
   v1::Request request;
   request.mutable_close_stream()->set_stream_id(opened_.stream_id());
@@ -78,6 +88,7 @@ Subscriber StreamHandle::subscribe(zmq::context_t& context,
 }
 
 std::optional<v1::StreamInfo> StreamHandle::info(const Waiting& waiting) {
+  if (last_info_) return last_info_;
   const v1::Reply reply = control_.call(listStreams(), ControlClient::kDeadline, waiting);
   for (const v1::StreamInfo& stream : reply.list_streams().streams()) {
     if (stream.stream_id() == opened_.stream_id()) return stream;

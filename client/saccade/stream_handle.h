@@ -46,7 +46,7 @@ class StreamHandle {
   // StreamFault where the server has announced no endpoint for it.
   Subscriber subscribe(zmq::context_t& context, const std::vector<std::uint64_t>& from_seqs = {}) const;
 
-  // Returns nothing if the server no longer has the stream.
+  // Returns nothing if the server no longer has the stream. After closeKnown(), what was known then.
   std::optional<v1::StreamInfo> info(const Waiting& waiting = {});
   v1::FramePicture picture();  // the newest frame
 
@@ -60,6 +60,9 @@ class StreamHandle {
   // Ends the stream at its next frame: the packets up to there still come, and then END. Neither waits for
   // the server nor throws.
   void close();
+  // Asks for info() and closes, because the server forgets a closed stream once its packets are taken. A
+  // server that does not answer in time leaves the info unknown.
+  void closeKnown();
   bool closed() const { return closed_; }
 
  private:
@@ -70,6 +73,7 @@ class StreamHandle {
   ControlClient& control_;
   v1::ServerDescription server_;
   v1::StreamOpened opened_;
+  std::optional<v1::StreamInfo> last_info_;
   bool closed_ = false;
 };
 

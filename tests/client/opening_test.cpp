@@ -87,5 +87,27 @@ TEST_F(OpeningTest, AnOpenDoesNotWaitForASceneThatCannotBeOpened) {
   EXPECT_THROW(StreamHandle(control, request_, {.retry_time = std::chrono::minutes(10)}), Refused);
 }
 
+// The server's part tells of the stream once, and then is gone.
+TEST_F(OpeningTest, TheInfoOfAStreamOutlastsTheServersMemoryOfIt) {
+  auto server = std::async(std::launch::async, [&] {
+    open("s1");
+    v1::Reply reply;
+    reply.set_request_id(control_.receive<v1::Request>().request_id());
+    reply.mutable_status()->set_code(v1::CODE_OK);
+    v1::StreamInfo& info = *reply.mutable_list_streams()->add_streams();
+    info.set_stream_id("s1");
+    info.set_frame_cpu_ms(3);
+    control_.send(reply);
+    EXPECT_TRUE(control_.receive<v1::Request>().has_close_stream());
+  });
+  ControlClient control(context_, control_.endpoint());
+  StreamHandle stream(control, request_);
+  stream.closeKnown();
+  server.get();
+  const auto info = stream.info();
+  ASSERT_TRUE(info);
+  EXPECT_EQ(info->frame_cpu_ms(), 3);
+}
+
 }  // namespace
 }  // namespace saccade::client
