@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -69,7 +70,9 @@ TEST_F(CellsCommand, TellsWhichCellsItLeavesOut) {
   </scene>)");
   ASSERT_EQ(cells(scene + " --motions right --speeds 1 --frames 1"), 0) << text("log");
   expectContains(text("log"), "lamp right 1px 1: left out: only ");
-  expectContains(text("log"), "left out: 1 of 1 cells\n");
+  expectContains(text("log"),
+                 "left out: 1 of 1 cells\nwrote " + files.path("out/ratios.csv") + ", which says why");
+  EXPECT_FALSE(std::filesystem::exists(files.path("out/results.csv")));
   expectContains(text("out/ratios.csv"), "\nlamp,right,1,1,,,,,,,,,,left out: only ");
 }
 

@@ -30,6 +30,12 @@ TEST(DrawCharts, NamesEverythingAndEscapesIt) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST(DrawCharts, APanelWithoutPointsSaysSo) {
+  const ChartPanel empty{"a", "", "", {{"one", {}}}}, full{"b", "", "", {{"one", {{1, 2, ""}}}}};
+  EXPECT_EQ(drawCharts({full}, 1).find("not measured here"), std::string::npos);
+  EXPECT_NE(drawCharts({full, empty}, 2).find("not measured here"), std::string::npos);
+}
+
 int countOf(const std::string& text, const std::string& part) {
   int count = 0;
   for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;

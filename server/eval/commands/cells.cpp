@@ -53,6 +53,16 @@ std::vector<ComparedCell> compareAll(const CellsOptions& o, CellBench& bench) {
   return compared;
 }
 
+void tellFiles(const CellsOptions& o, const std::vector<ComparedCell>& cells) {
+  const bool none =
+      std::ranges::all_of(cells, [](const ComparedCell& cell) { return !cell.left_out.empty(); });
+  const std::string text =
+      none ? o.path("ratios.csv") + ", which says why each cell is left out; nothing was measured"
+           : o.path("results.csv") +
+                 " and ratios.csv, which names the baseline of each ratio and why some are in brackets";
+  std::printf("wrote %s\n", text.c_str());
+}
+
 void runCells(CellsOptions& o) {
   resolve(o.bench);
   for (const std::string& frames : o.frames) {
@@ -69,12 +79,10 @@ void runCells(CellsOptions& o) {
   try {
     const std::vector<ComparedCell> cells = compareAll(o, bench);
     std::fputs(summaryText(cells, o.candidates).c_str(), stdout);
+    tellFiles(o, cells);
   } catch (const Interrupted&) {
     throw std::runtime_error("interrupted; the same command continues where it stopped");
   }
-  std::printf(
-      "wrote %s and ratios.csv, which names the baseline of each ratio and why some are in brackets\n",
-      o.path("results.csv").c_str());
 }
 
 void addSettings(CLI::App& app, const char* flag, std::vector<std::string>& settings, const char* what) {

@@ -94,6 +94,11 @@ std::string drawLabels(const ChartPanel& panel, const std::vector<ChartKey>& key
   return svg;
 }
 
+std::string drawNothingMeasured() {
+  return format("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\" fill=\"#888\">not measured here</text>\n",
+                kMiddle, kHeight / 2);
+}
+
 std::string drawPanel(const ChartPanel& panel, const std::vector<ChartKey>& keys) {
   ChartAxis x(panel.x_scale, kLeft, kWidth - kRight), y(panel.y_scale, kHeight - kBottom, kTop);
   for (const ChartLine& line : panel.lines) {
@@ -103,6 +108,8 @@ std::string drawPanel(const ChartPanel& panel, const std::vector<ChartKey>& keys
     }
   }
   std::string svg = drawAxes(panel, x, y);
+  if (std::ranges::all_of(panel.lines, [](const ChartLine& line) { return line.points.empty(); }))
+    return svg + drawNothingMeasured();
   if (panel.pareto)
     svg += polyline(paretoFront(panel), x, y,
                     "stroke=\"#bbb\" stroke-width=\"7\" stroke-linejoin=\"round\" opacity=\"0.6\"");

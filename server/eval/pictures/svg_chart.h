@@ -34,7 +34,7 @@ struct ChartPanel {
 std::vector<ChartPoint> paretoFront(const ChartPanel& panel);
 
 // Draws a legend and below it groups of `per_group` panels, at most three in a row. Each group begins a new
-// row.
+// row. A panel without points says that nothing is measured.
 std::string drawCharts(const std::vector<ChartPanel>& panels, int per_group);
 
 }  // namespace saccade::eval
