@@ -21,6 +21,7 @@ struct SeedPlan {
   // Of a picture whose paths come in parts: those of each pass before this part, and in all parts.
   int before = 0, all = 0;
   bool along_motion = false;  // pass 1 replays pixelBefore(), its point and its numbers, not the same pixel
+  bool reconnects = false;    // pass 1 reconnects paths of both frames, where it can
 
   // r_t: the seed of frame t.
   static std::uint64_t frameSeed(std::uint64_t stream_seed, FrameIndex t) { return hashKey(stream_seed, t); }
@@ -33,6 +34,12 @@ struct SeedPlan {
   static SeedPlan correlatedAlongMotion(std::uint64_t stream_seed, FrameIndex t, int spp) {
     SeedPlan plan = correlated(stream_seed, t, spp);
     plan.along_motion = true;
+    return plan;
+  }
+  // Correlated passes, of which pass 1 reconnects paths at their second vertices. A jittered pass 1 does not.
+  static SeedPlan reconnected(std::uint64_t stream_seed, FrameIndex t, int spp) {
+    SeedPlan plan = correlated(stream_seed, t, spp);
+    plan.reconnects = true;
     return plan;
   }
   // Both passes use seeds that no other frame uses.

@@ -7,16 +7,22 @@ namespace {
 
 struct CorrelatedParams {
   int independent_numbers = 0;
+  int reconnect = 0;
 };
 
 const std::vector<ParamField<CorrelatedParams>>& fields() {
   static const std::vector<ParamField<CorrelatedParams>> table = {
-      independentNumbersField<CorrelatedParams>(&CorrelatedParams::independent_numbers)};
+      independentNumbersField<CorrelatedParams>(&CorrelatedParams::independent_numbers),
+      {"reconnect", &CorrelatedParams::reconnect, 0, 1,
+       "1: paths of both frames are reconnected at diffuse second vertices, unless jittered; 0: replayed",
+       "Kettunen et al. 2015; paper 4.3: 0"}};
   return table;
 }
 
 SeedPlanner correlatedSeeds(const ParamValues& values) {
-  return seedsWith<SeedPlan::correlated>(makeParams(fields(), values).independent_numbers);
+  const CorrelatedParams p = makeParams(fields(), values);
+  if (p.reconnect) return seedsWith<SeedPlan::reconnected>(p.independent_numbers);
+  return seedsWith<SeedPlan::correlated>(p.independent_numbers);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::chrono::nanoseconds renderPixels(const RenderSettings& settings, const Pixe
   out.samples.spp1 = seeds.spp1;
   out.samples.spp2 = seeds.spp2;
   showBodies(view, out.g);
-  const TileRenderer render = tileRenderer(view.now.scene.still(), settings, false);
+  const TileRenderer render = tileRenderer(view.now.scene.still(), settings, false, seeds.reconnects);
   return pool.forEachTile(out.width(), out.height(), kEdge, [&](Tile tile) {
     forEachWanted(tile, wanted, [&](Tile part) { render(view, seeds, settings.bounces, part, out); });
   });

@@ -57,7 +57,7 @@ std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPl
   showBodies(view, out.g);
   // Where all stands, centres of pixels stay where they are, to the last bit.
   const bool along_motion = seeds.along_motion && !out.stands;
-  const TileRenderer tile = tileRenderer(view.now.scene.still(), settings_, along_motion);
+  const TileRenderer tile = tileRenderer(view.now.scene.still(), settings_, along_motion, seeds.reconnects);
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
                           [&](Tile t) { tile(view, seeds, settings_.bounces, t, out); });
 }

@@ -3,6 +3,7 @@
 
 #include "render/renderer.h"
 #include "render/tiles/along_motion.h"
+#include "render/tiles/reconnected_tile.h"
 
 namespace saccade {
 
@@ -14,9 +15,11 @@ inline void showBodies(const PixelContext& view, GBuffer& g) {
 using TileRenderer = void (*)(const PixelContext& view, const SeedPlan& seeds, int bounces, Tile tile,
                               Frame& out);
 
-// `along_motion`: whether surfaces that move keep their numbers.
-inline TileRenderer tileRenderer(const RenderScene& scene, const RenderSettings& settings,
-                                 bool along_motion) {
+// `along_motion`: whether surfaces that move keep their numbers. `reconnects`: see SeedPlan.
+inline TileRenderer tileRenderer(const RenderScene& scene, const RenderSettings& settings, bool along_motion,
+                                 bool reconnects) {
+  if (reconnects && !settings.jitter && settings.bounces > 0)
+    return settings.channels == 1 ? renderReconnectedTile<1> : renderReconnectedTile<3>;
   return withKernel(scene.shading(), [&]<Shading S>() -> TileRenderer {
     const bool grey = settings.channels == 1;
     if (settings.jitter) return grey ? renderJitteredTile<S, 1> : renderJitteredTile<S, 3>;

@@ -81,6 +81,7 @@ TEST(MethodTable, SaysWhichPassesAMethodNeeds) {
   EXPECT_EQ(seedsOf("pt", {}), &SeedPlan::independent);
   EXPECT_EQ(seedsOf("svgf", {}), &SeedPlan::independent);
   EXPECT_EQ(seedsOf("pt-correlated", {}), &SeedPlan::correlated);
+  EXPECT_EQ(seedsOf("pt-correlated", {{"reconnect", 1}}), &SeedPlan::reconnected);
   EXPECT_EQ(seedsOf("event_svgf", {}), &SeedPlan::correlated);
   EXPECT_EQ(seedsOf("event_svgf", {{"correlated", 0}}), &SeedPlan::independentPairs);
   EXPECT_EQ(seedsOf("event_svgf", {{"motion_aligned", 1}}), &SeedPlan::correlatedAlongMotion);

@@ -9,9 +9,11 @@
 
 namespace saccade {
 
+inline constexpr std::uint32_t kGroupStep = 0x9e3779b9u;
+
 template <class Bits>
 [[gnu::always_inline]] constexpr Bits groupKey(const Bits& key, std::uint32_t group) {
-  return mix32(Bits(key + group * 0x9e3779b9u));
+  return mix32(Bits(key + group * kGroupStep));
 }
 
 struct PathSampler {
@@ -26,6 +28,11 @@ struct PathSampler {
   // Uniform in [0, 1).
   float u(std::uint32_t dimension) const {
     return toUnit(ScrambledPoint(reversed_index, groupKey(key, dimension / kGroup)).at(dimension % kGroup));
+  }
+
+  // The numbers from the first dimension of a group on.
+  PathSampler from(std::uint32_t dimension) const {
+    return {reversed_index, key + dimension / kGroup * kGroupStep};
   }
 
   std::uint32_t reversed_index = 0;  // 32 bits, in reverse order
