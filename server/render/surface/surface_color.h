@@ -22,7 +22,8 @@ inline float filteredSquareWave(float x, float w) {
     return std::min(f, 1 - f);
   };
   w = std::max(w, 1e-5f);
-  return (integral(x + w / 2) - integral(x - w / 2)) / w;
+  x -= std::floor(x);  // where floats are fine enough for so small a width
+  return std::clamp((integral(x + w / 2) - integral(x - w / 2)) / w, -1.f, 1.f);
 }
 
 inline Rgb lookUp(const std::vector<Texture>& textures, const SurfaceColor& c, TexturePoint p) {
