@@ -175,11 +175,13 @@ TEST_F(AnimatedScene, ScenesOfFurtherAnimationsAreBounded) {
   EXPECT_NE(few.get("mine", {}, {}, "Run"), nullptr);
 }
 
+// None of them has a name that is too long to be listed.
 TEST_F(AnimatedScene, NoMoreThanALimitAreListed) {
-  std::string all;
-  for (std::size_t i = 0; i <= kMostListedAnimations; ++i)
-    all +=
-        std::string(i ? "," : "") + R"({"name":"a)" + std::to_string(i) + R"(","channels":[],"samplers":[]})";
+  const auto named = [](const std::string& name) {
+    return R"({"name":")" + name + R"(","channels":[],"samplers":[]})";
+  };
+  std::string all = named(std::string(kMaxEntryBytes + 1, 'x'));
+  for (std::size_t i = 0; i <= kMostListedAnimations; ++i) all += "," + named("a" + std::to_string(i));
   files.write("many/scene.gltf", test::gltf({test::kTriangleMesh, test::kTriangleNode,
                                              test::triangle().json(), R"("animations":[)" + all + "]"}));
   files.write("many/data.bin", test::triangle().bytes());

@@ -34,7 +34,7 @@ std::string describe(const fs::path& readme, const fs::path& scenes) {
 
 // Objects that move come first.
 std::vector<SceneObject> objectsOf(const Scene& scene) {
-  std::set<std::string> others = shapeNames(scene);
+  std::set<std::string> others = objectNames(scene);
   std::vector<SceneObject> objects;
   for (const OwnMotion& motion : scene.motions) {
     objects.push_back({cutText(motion.name, kMaxEcho), cutText(motion.text, kMaxEcho)});
@@ -51,8 +51,8 @@ std::vector<std::string> animationsOf(const fs::path& file, const LoadOptions& o
   const SceneFormat& format = formatOf(file);
   if (!format.animations) return {};
   std::vector<std::string> names = format.animations(file.string(), options);
+  std::erase_if(names, [](const std::string& name) { return name.size() > kMaxEntryBytes; });
   if (names.size() > kMostListedAnimations) names.resize(kMostListedAnimations);
-  for (std::string& name : names) name = cutText(name, kMaxEntryBytes);
   return names;
 }
 

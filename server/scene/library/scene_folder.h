@@ -14,7 +14,7 @@ inline constexpr std::size_t kMaxEntryBytes = 1000;  // of each text of a SceneE
 
 inline constexpr std::size_t kMostListedObjects = 256, kMostListedAnimations = 256;
 
-// Shapes of one name, which may move.
+// Shapes and lamps of one name, which may move.
 struct SceneObject {
   std::string name;
   std::string motion;  // OwnMotion::text; empty: it stands unless a client moves it
@@ -31,7 +31,8 @@ struct SceneEntry {
   bool may_have_paths = false;  // of an outline: its file may have some
   // At most kMostListedObjects, those that move first, then by name. None of an outline.
   std::vector<SceneObject> objects = {};
-  // At most kMostListedAnimations, in the order of the scene's file. None of an outline.
+  // At most kMostListedAnimations, in the order of the scene's file, but for those whose name is too long a
+  // text. None of an outline.
   std::vector<std::string> animations = {};
   std::string unavailable;  // why the scene cannot be opened on this machine; empty: it can
 };
