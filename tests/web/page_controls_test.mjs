@@ -44,6 +44,16 @@ test("an object moves as the page says, in the stream and in the command", () =>
   assert.strictEqual(fromFragment("#object=bunny&path=fly").path, DEFAULTS.path);
 });
 
+test("an animation of the scene plays alone, in the stream and in the command", () => {
+  const fox = { name: "fox", animations: ["Run", "Walk fast"] };
+  const settings = { ...DEFAULTS, scene: "fox", animation: "Walk fast" };
+  assert.strictEqual(openStreamOf(settings).animation, "Walk fast");
+  assert.ok(!("animation" in openStreamOf(DEFAULTS)));
+  assert.ok(recordLineOf({ ...settings, duration: 1 }, 0).includes(" --animation 'Walk fast' "));
+  assert.strictEqual(withScene(settings, [fox], "fox").animation, "Walk fast");
+  assert.strictEqual(withScene(settings, [fox, { name: "box" }], "box").animation, "");
+});
+
 test("a page may be slowed down, and its own stream can be steered", () => {
   const { timing } = openStreamOf({ ...DEFAULTS, look: 1 });
   assert.deepStrictEqual([timing.minSpeed, timing.steerable], [1 / 256, true]);

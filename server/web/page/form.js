@@ -3,7 +3,7 @@ import { PALETTES } from "./palettes.js";
 import { MOTIONS, PATHS, RATES, SIZES, moves, withFirstScene, withScene } from "./settings.js";
 import { SLIDERS } from "./sliders.js";
 
-const OF_OWN_STREAM = ["motion", "px", "object", "path", "preset", "C", "bias", "size", "rate", "speed"]; // a broadcast of others has its own
+const OF_OWN_STREAM = ["motion", "px", "animation", "object", "path", "preset", "C", "bias", "size", "rate", "speed"]; // a broadcast of others has its own
 
 const option = (value, label = value, title = "") => Object.assign(new Option(label, value), { title });
 
@@ -57,6 +57,10 @@ export class Form {
     return this.scene()?.objects ?? [];
   }
 
+  animations() {
+    return this.scene()?.animations ?? [];
+  }
+
   // Scenes and streams of the server: those that can be watched are offered.
   offer(scenes, streams) {
     const broadcasts = streams.filter(({ delivery }) => delivery === "DELIVERY_BROADCAST");
@@ -85,6 +89,7 @@ export class Form {
     const { form } = this;
     form.source.value = settings.stream ? "stream:" + settings.stream : "scene:" + settings.scene;
     this.showMotions();
+    this.showAnimations();
     this.showObjects();
     for (const name of ["preset", "size", "rate", "colours"]) form[name].value = settings[name];
     for (const [name, { at, text }] of Object.entries(SLIDERS)) {
@@ -93,6 +98,14 @@ export class Form {
     }
     form.C.parentElement.hidden = settings.preset !== "";
     for (const name of OF_OWN_STREAM) form[name].disabled = settings.stream !== "";
+  }
+
+  showAnimations() {
+    const { form, settings } = this;
+    const names = this.animations();
+    form.animation.replaceChildren(option("", "as the scene says"), ...names.map((name) => option(name)));
+    form.animation.value = settings.animation;
+    form.animation.parentElement.hidden = names.length === 0;
   }
 
   showObjects() {

@@ -9,9 +9,10 @@ export function recordLineOf(settings, seconds) {
   const duration = settings.duration || Math.max(1, Math.ceil(seconds * settings.rate - 1e-6)) / settings.rate; // whole frames
   const motion = MOTIONS.includes(settings.motion) ? `${settings.motion}:${settings.px}px` : settings.motion;
   const sensor = settings.preset ? ["--preset", settings.preset] : ["--threshold", settings.C];
+  const animation = settings.animation ? ["--animation", settings.animation] : [];
   const object = settings.object ? ["--object", `${settings.object}=${settings.path}`] : [];
-  const words = ["saccade", "record", settings.scene, "--motion", motion, ...object, "--size", settings.size, "--rate", settings.rate,
-    "--duration", Number(duration.toFixed(6)), ...sensor, "--bias", settings.bias,
+  const words = ["saccade", "record", settings.scene, "--motion", motion, ...animation, ...object, "--size", settings.size,
+    "--rate", settings.rate, "--duration", Number(duration.toFixed(6)), ...sensor, "--bias", settings.bias,
     "-o", "events.h5"];
   return words.map((word) => quoted(String(word))).join(" ");
 }

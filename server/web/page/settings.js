@@ -6,6 +6,7 @@ export const DEFAULTS = {
   sensor: 0, // of that broadcast
   motion: "pan", // a kind of motion, or the name of a trajectory
   px: 0.5, // pixels per frame, of a kind of motion
+  animation: "", // of a glTF scene, that plays alone
   object: "", // of the scene, that moves in another way than the scene says
   path: "spin:45", // of that object, one of PATHS
   size: "160x120",
@@ -57,13 +58,14 @@ export function withFirstScene(settings, scenes) {
 
 // A camera that stands before what stands would see no events: it has the default motion.
 export function withScene(settings, scenes, scene) {
-  const { trajectories = [], objects = [] } = scenes.find(({ name }) => name === scene) ?? {};
+  const { trajectories = [], objects = [], animations = [] } = scenes.find(({ name }) => name === scene) ?? {};
   const known = [...MOTIONS, ...trajectories].includes(settings.motion);
   const sees = settings.motion !== "still" || moves({ objects });
   return {
     ...settings,
     scene,
     motion: known && sees ? settings.motion : DEFAULTS.motion,
+    animation: animations.includes(settings.animation) ? settings.animation : DEFAULTS.animation,
     object: objects.some(({ name }) => name === settings.object) ? settings.object : DEFAULTS.object,
   };
 }
@@ -87,6 +89,7 @@ export function openStreamOf(settings) {
     scene: settings.scene,
     view: { width, height },
     trajectory,
+    ...(settings.animation && { animation: settings.animation }),
     ...(settings.object && { objects: [{ name: settings.object, path: objectPathOf(settings.path) }] }),
     timing: { frameRateHz: settings.rate, durationS: settings.duration, clock: "CLOCK_PACED", speed: settings.speed,
       minSpeed: Math.min(SLOWEST, settings.speed), steerable: settings.look === 1 },

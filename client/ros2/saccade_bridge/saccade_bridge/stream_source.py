@@ -12,6 +12,7 @@ SETTINGS = {
     "scene": "cornell-box",
     "trajectory": "",  # this or the next
     "motion": "",
+    "animation": "",
     "rate_hz": 0.0,
     "duration_s": 0.0,
     "fov_x_deg": 0.0,
