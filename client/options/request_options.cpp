@@ -47,7 +47,7 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
   command
       .add_option(
           "--object", o.objects,
-          "NAME=PATH moves the shapes of the scene that have this name: KIND:SPEED per second, with KIND "
+          "NAME=PATH moves the shapes and lamps of this name: KIND:SPEED per second, with KIND "
           "one of " +
               enumWords<v1::ObjectMotionKind>() +
               ", or a .csv or .txt file of poses as for --trajectory; may be given again")

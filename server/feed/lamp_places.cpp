@@ -24,8 +24,8 @@ LampPlace placeOf(const ShapeBox& box, int body, float power) {
   return {{static_cast<std::uint32_t>(body + 1), box.centre()}, length(box.high - box.low) / 2, power};
 }
 
-LampPlace placeOf(Vec3 position, float power) {
-  return {{0, position}, 0, power};
+LampPlace placeOf(Vec3 position, int body, float power) {
+  return {{static_cast<std::uint32_t>(body + 1), position}, 0, power};
 }
 
 void addShapes(const Scene& scene, std::vector<LampPlace>& places) {
@@ -40,14 +40,14 @@ void addShapes(const Scene& scene, std::vector<LampPlace>& places) {
 
 void addOthers(const Scene& scene, std::vector<LampPlace>& places) {
   for (const PointLight& lamp : scene.point_lights)
-    places.push_back(placeOf(lamp.position, 4 * kPi * luminance(lamp.intensity)));
+    places.push_back(placeOf(lamp.position, lamp.body, 4 * kPi * luminance(lamp.intensity)));
   for (const SpotLight& lamp : scene.spot_lights)
     places.push_back(
-        placeOf(lamp.position, 2 * kPi * (1 - std::cos(lamp.cutoff)) * luminance(lamp.intensity)));
+        placeOf(lamp.position, lamp.body, 2 * kPi * (1 - std::cos(lamp.cutoff)) * luminance(lamp.intensity)));
   const ShapeBox box = boxOf(scene);
   const float radius = length(box.high - box.low) / 2;
   for (const DirectionalLight& sun : scene.directional_lights)
-    places.push_back(placeOf(box.centre() - sun.direction * (kSunDistance * radius),
+    places.push_back(placeOf(box.centre() - sun.direction * (kSunDistance * radius), sun.body,
                              kPi * radius * radius * luminance(sun.irradiance)));
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include "base/affine.h"
 #include "base/vec.h"
+#include "scene/body.h"
 #include "scene/files/picture.h"
 
 namespace saccade {
@@ -20,7 +22,9 @@ struct Environment {
 
 struct PointLight {
   Vec3 position;
-  Rgb intensity;  // power per solid angle
+  Rgb intensity;          // power per solid angle
+  std::string name = {};  // empty: none, so that nothing moves it
+  int body = kStands;     // of Scene::bodies
 };
 
 // As a point, but within a cone alone: fully up to the angle `beam` from its axis. From there it falls in
@@ -29,7 +33,9 @@ struct SpotLight {
   Vec3 position;
   Vec3 axis;  // in which it shines; unit
   Rgb intensity;
-  float beam, cutoff;  // radians, at most pi; the beam is at most the cutoff
+  float beam, cutoff;     // radians, at most pi; the beam is at most the cutoff
+  std::string name = {};  // as of a point
+  int body = kStands;
 };
 
 // In a unit direction away from the lamp.
@@ -41,8 +47,10 @@ inline Rgb intensityTowards(const SpotLight& light, Vec3 direction) {
 }
 
 struct DirectionalLight {
-  Vec3 direction;  // in which its light goes; unit
-  Rgb irradiance;  // on a surface at a right angle to it
+  Vec3 direction;         // in which its light goes; unit
+  Rgb irradiance;         // on a surface at a right angle to it
+  std::string name = {};  // as of a point
+  int body = kStands;     // it turns with it
 };
 
 }  // namespace saccade

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/body.h"
 #include "scene/camera/pose.h"
 #include "scene/camera/trajectory.h"
 #include "scene/deformation/deformation.h"
@@ -19,7 +20,6 @@
 
 namespace saccade {
 
-inline constexpr int kStands = -1;     // instead of the number of a body
 inline constexpr int kKeepsForm = -1;  // instead of the number of a deformation
 
 // Embree reads `positions` in place, and may read one entry beyond the last: there is a spare one.
@@ -59,18 +59,9 @@ inline bool emits(const auto& shape) {
   return luminance(shape.radiance) > 0;
 }
 
-// Shapes that move together. Its pose at a time is where its centre lies, and how it has turned about it. In
-// the scene file's own place it has the pose {centre, no rotation}. Meshes that deform do so in that place.
-struct Body {
-  std::string name;  // of its shapes
-  Vec3 low, high;    // corners of the box around them in the scene file, as they are at stream time 0
-
-  Vec3 centre() const { return (low + high) * 0.5f; }
-};
-
 // A motion that the scene's folder gives an object. It moves where a body is made of that.
 struct OwnMotion {
-  std::string name;                     // of shapes
+  std::string name;                     // of shapes and lamps
   std::string text;                     // KIND:SPEED, or the name of a file of poses
   std::optional<Trajectory> path = {};  // of a file, T_world_body
   std::size_t poses = 0;                // of the path

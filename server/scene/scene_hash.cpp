@@ -83,6 +83,9 @@ std::uint64_t hashScene(const Scene& scene) {
   if (scene.bodies.empty()) return h.value;
   for (const Mesh& m : scene.meshes) h.add(m.body);
   for (const Sphere& s : scene.spheres) h.add(s.body);
+  for (const PointLight& l : scene.point_lights) h.add(l.body);
+  for (const SpotLight& l : scene.spot_lights) h.add(l.body);
+  for (const DirectionalLight& l : scene.directional_lights) h.add(l.body);
   if (scene.deformations.empty()) return h.value;
   for (const Mesh& m : scene.meshes) h.add(m.deformation);
   for (const Deformation& d : scene.deformations) add(h, d);

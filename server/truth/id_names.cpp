@@ -44,6 +44,8 @@ v1::IdNames idNames(const Scene& scene) {
   NameList objects, materials;
   for (const Mesh& mesh : scene.meshes) objects.add(mesh.name, mesh.body);
   for (const Sphere& sphere : scene.spheres) objects.add(sphere.name, sphere.body);
+  for (const Body& body : scene.bodies)
+    if (!body.has_shapes) objects.add(body.name);
   for (const Material& material : scene.materials) materials.add(material.name);
   v1::IdNames names;
   names.set_further_objects(objects.give(*names.mutable_objects()));

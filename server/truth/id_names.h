@@ -13,7 +13,7 @@ inline constexpr std::size_t kMaxIdNames = 4096, kMaxIdNameBytes = 64;
 bool asksForIds(const v1::OpenStream& request);
 
 // Those of the scene file. A name that several have gets "_" and the number, such as "rectangle_3", but for
-// the shapes of a body, which have one number.
+// the shapes of a body, which have one number. Bodies of lamps alone follow the shapes.
 v1::IdNames idNames(const Scene& scene);
 
 }  // namespace saccade

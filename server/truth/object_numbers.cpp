@@ -14,10 +14,14 @@ void forEachShape(const Scene& scene, const auto& take) {
 
 std::vector<std::uint32_t> bodyNumbers(const Scene& scene) {
   std::vector<std::uint32_t> numbers(scene.bodies.size());  // 0: not seen yet
+  std::uint32_t last = 0;
   forEachShape(scene, [&](std::uint32_t place, int body) {
+    last = place + 1;
     if (body != kStands && numbers[static_cast<std::size_t>(body)] == 0)
-      numbers[static_cast<std::size_t>(body)] = place + 1;
+      numbers[static_cast<std::size_t>(body)] = last;
   });
+  for (std::uint32_t& number : numbers)
+    if (number == 0) number = ++last;
   return numbers;
 }
 

@@ -12,7 +12,7 @@ namespace saccade {
 // first one.
 std::vector<std::uint32_t> objectNumbers(const Scene& scene);
 
-// By body.
+// By body. Those without shapes have the numbers after all shapes, in their order.
 std::vector<std::uint32_t> bodyNumbers(const Scene& scene);
 
 }  // namespace saccade

@@ -114,6 +114,19 @@ TEST(MitsubaLight, DirectionalLightsGoWhereTheySay) {
   }
 }
 
+// By which clients move them.
+TEST(MitsubaLight, LampsHaveTheNameOfTheirId) {
+  const Scratch files;
+  const Scene scene =
+      loadBody(files,
+               "<shape type='cube'/><emitter type='point' id='bulb'/><emitter type='spot' id='torch'/>"
+               "<emitter type='directional' id='sun'/><emitter type='point'/>");
+  EXPECT_EQ(scene.point_lights.at(0).name, "bulb");
+  EXPECT_EQ(scene.point_lights.at(1).name, "");
+  EXPECT_EQ(scene.spot_lights.at(0).name, "torch");
+  EXPECT_EQ(scene.directional_lights.at(0).name, "sun");
+}
+
 TEST(MitsubaLight, ColouredLightNeedsThreeChannels) {
   EXPECT_EQ(colorChannels(light("constant", "<float name='radiance' value='2'/>")), 1);
   EXPECT_EQ(colorChannels(light("constant", "<rgb name='radiance' value='2, 2, 1'/>")), 3);

@@ -72,6 +72,35 @@ TEST(Bodies, OfOneNameAreOne) {
   EXPECT_EQ(s.meshes[0].body, 0);
 }
 
+// The box is that of the shapes, so that a lamp on an arm does not move the centre of the arm.
+TEST(Bodies, LampsMoveWithTheShapesOfTheirName) {
+  Scene s = twoTriangles();
+  s.bodies.clear();
+  s.point_lights = {{{0, 0, 9}, {1, 1, 1}, "right"}, {{1, 2, 3}, {1, 1, 1}}};
+  const std::string names[]{"right"};
+  setBodies(s, names);
+  EXPECT_EQ(s.bodies[0].high, (Vec3{12, 4, 6}));
+  EXPECT_EQ(s.point_lights[0].body, 0);
+  EXPECT_EQ(s.point_lights[1].body, kStands);
+  EXPECT_EQ(lampBodies(s), (std::vector<char>{true}));
+}
+
+TEST(Bodies, OfLampsAloneHaveTheBoxOfTheirPositions) {
+  Scene s = twoTriangles();
+  s.bodies.clear();
+  s.point_lights = {{{1, 2, 3}, {1, 1, 1}, "two"}};
+  s.spot_lights = {{{3, 2, 1}, {0, 0, 1}, {1, 1, 1}, 0.1f, 0.2f, "two"}};
+  s.directional_lights = {{{0, 0, 1}, {1, 1, 1}, "sun"}};
+  EXPECT_EQ(objectNames(s), (std::set<std::string>{"left", "right", "sun", "two"}));
+  const std::string names[]{"left", "sun", "two"};
+  setBodies(s, names);
+  EXPECT_TRUE(s.bodies[0].has_shapes);
+  EXPECT_FALSE(s.bodies[1].has_shapes || s.bodies[2].has_shapes);
+  EXPECT_EQ(s.bodies[1].centre(), (Vec3{0, 0, 0}));
+  EXPECT_EQ(s.bodies[2].centre(), (Vec3{2, 2, 2}));
+  EXPECT_EQ(lampBodies(s), (std::vector<char>{false, true, true}));
+}
+
 TEST(Bodies, ThatAreAbsentOrTwiceAreRefused) {
   Scene s = twoTriangles();
   s.bodies.clear();

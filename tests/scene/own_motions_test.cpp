@@ -150,8 +150,8 @@ TEST_F(OwnMotions, AnOutlineNamesTheMeshesThatItDoesNotRead) {
                test::kSensor + std::string("<shape type='obj'><string name='filename' value='part.obj'/>"
                                            "</shape><shape type='cube'/></scene>"));
   const Scene outline = outlineSceneFile(files_.path("scenes/two/scene.xml"), {});
-  EXPECT_EQ(shapeNames(outline), (std::set<std::string>{"cube", "part"}));
-  EXPECT_EQ(shapeNames(load()), shapeNames(outline));
+  EXPECT_EQ(objectNames(outline), (std::set<std::string>{"cube", "part"}));
+  EXPECT_EQ(objectNames(load()), objectNames(outline));
 }
 
 }  // namespace

@@ -64,6 +64,10 @@ TEST(SceneHash, TellsApartWhatDiffersInOneThing) {
         s.directional_lights[0].direction = {1, 0, 0};
       },
       [](Scene& s) { s.directional_lights[0].irradiance.x = 2; },
+      [](Scene& s) { s.bodies.resize(1); },
+      [](Scene& s) { s.bodies.resize(1), s.point_lights[0].body = 0; },
+      [](Scene& s) { s.bodies.resize(1), s.spot_lights[0].body = 0; },
+      [](Scene& s) { s.bodies.resize(1), s.directional_lights[0].body = 0; },
   };
   std::set<std::uint64_t> hashes;
   for (const auto& change : changes) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/text_cut.h"
+#include "scene/motion/bodies.h"
+#include "truth/object_numbers.h"
 
 namespace saccade {
 namespace {
@@ -35,6 +37,18 @@ TEST(IdNames, AreInTheOrderOfTheNumbers) {
   EXPECT_EQ(listOf(names.materials()), (Names{"diffuse_1", "paint", "diffuse_3"}));
   EXPECT_EQ(names.further_objects(), 0u);
   EXPECT_EQ(names.further_materials(), 0u);
+}
+
+// It has poses, and no pixel shows it.
+TEST(IdNames, OfALampThatMovesFollowThoseOfShapes) {
+  Scene scene;
+  for (const char* name : {"door", "arm"}) scene.meshes.push_back(meshOf(name));
+  for (const char* name : {"spot", "arm", "sun"})
+    scene.point_lights.push_back({.position = {}, .intensity = {}, .name = name});
+  const std::vector<std::string> bodies{"arm", "spot"};
+  setBodies(scene, bodies);
+  EXPECT_EQ(listOf(idNames(scene).objects()), (Names{"door", "arm", "spot"}));
+  EXPECT_EQ(bodyNumbers(scene), (std::vector<std::uint32_t>{2, 3}));
 }
 
 TEST(IdNames, AreBoundedAndTheRestIsCounted) {

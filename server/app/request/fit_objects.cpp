@@ -30,7 +30,7 @@ void checkObject(const Scene& scene, const std::set<std::string>& known, const v
 
 void checkGiven(const Scene& scene, const ResolvedStream& stream) {
   if (stream.objects.empty()) return;
-  const std::set<std::string> known = shapeNames(scene);
+  const std::set<std::string> known = objectNames(scene);
   for (std::size_t i = 0; i < stream.objects.size(); ++i)
     checkObject(scene, known, stream.request.objects(static_cast<int>(i)),
                 "objects[" + std::to_string(*stream.objects[i].given) + "]");

@@ -96,18 +96,18 @@ void takeTexts(Texts texts, ResolvedStream& stream) {
 // Of the copy of all lamps that a feed keeps at one time where some move. A triangle is part of three tables.
 double lampBytes(const Scene& scene) {
   constexpr double kTriangleBytes = 400, kVertexBytes = 64;
-  bool moves = false;
-  double bytes = 0;
-  const auto add = [&](const auto& shape, double of_shape) {
-    if (!emits(shape)) return;
-    moves = moves || shape.body != kStands;
-    bytes += of_shape;
-  };
+  const std::vector<char> gives_light = lampBodies(scene);
+  if (std::ranges::find(gives_light, true) == gives_light.end()) return 0;
+  const std::size_t deltas =
+      scene.point_lights.size() + scene.spot_lights.size() + scene.directional_lights.size();
+  double bytes = kTriangleBytes * static_cast<double>(deltas);
   for (const Mesh& mesh : scene.meshes)
-    add(mesh, kTriangleBytes * static_cast<double>(mesh.triangles.size()) +
-                  kVertexBytes * static_cast<double>(mesh.positions.size()));
-  for (const Sphere& sphere : scene.spheres) add(sphere, kTriangleBytes);
-  return moves ? bytes : 0;
+    if (emits(mesh))
+      bytes += kTriangleBytes * static_cast<double>(mesh.triangles.size()) +
+               kVertexBytes * static_cast<double>(mesh.positions.size());
+  for (const Sphere& sphere : scene.spheres)
+    if (emits(sphere)) bytes += kTriangleBytes;
+  return bytes;
 }
 
 // Of the copies of bodies that deform, with their trees, that a feed keeps at one time.
@@ -160,7 +160,7 @@ void checkObjects(ResolvedStream& stream) {
   std::set<std::string> names;
   for (v1::ObjectMotion& object : *request.mutable_objects()) {
     const std::string field = fieldOf(stream.objects.size());
-    if (object.name().empty()) refuse(field + ".name", "give the name of a shape of the scene");
+    if (object.name().empty()) refuse(field + ".name", "give the name of an object of the scene");
     if (!names.insert(object.name()).second)
       refuse(field + ".name", "the object '" + cutText(object.name(), kMaxEcho) + "' is given twice");
     stream.objects.push_back({stream.objects.size(), readPath(*object.mutable_path(), field + ".path")});

@@ -69,7 +69,7 @@ std::vector<MovingObject> parseObjects(const std::vector<std::string>& objects) 
 }
 
 void setBodies(Scene& scene, const std::vector<MovingObject>& objects) {
-  const std::set<std::string> known = shapeNames(scene);
+  const std::set<std::string> known = objectNames(scene);
   std::set<std::string> moving;
   for (const OwnMotion& own : scene.motions) moving.insert(own.name);
   for (const MovingObject& object : objects) {

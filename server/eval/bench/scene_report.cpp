@@ -15,7 +15,7 @@ std::string reportLine(const std::string& what, const std::string& text) {
 
 std::string sceneReport(const Scene& scene) {
   std::string report = reportLine("holds", statsOf(scene).text());
-  report += reportLine("objects", cutText(joinNames(shapeNames(scene)), kMostNames));
+  report += reportLine("objects", cutText(joinNames(objectNames(scene)), kMostNames));
   report += reportLine(
       "camera", format("%d x %d pixels, %.4g degrees across", scene.width, scene.height, scene.fov_x_deg));
   if (scene.bounces) report += reportLine("author", std::to_string(*scene.bounces) + " indirect bounces");

@@ -19,6 +19,9 @@ class DistantLights {
   // Keeps a pointer to the pixels of the scene's environment.
   explicit DistantLights(const Scene& scene);
 
+  // In place of the suns, as many that shine as strongly.
+  void setSuns(std::vector<DirectionalLight> suns) { suns_ = std::move(suns); }
+
   bool has(LightSet set) const { return !choice(set).empty(); }
 
   // A sample of numbers in [0, 1): u_light chooses the light, u1 and u2 a direction. There must be a light.

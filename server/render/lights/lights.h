@@ -16,6 +16,8 @@ class Lights {
 
   // In place of the lamps, others of the same scene.
   void setLamps(Lamps lamps) { lamps_ = std::move(lamps); }
+  // See DistantLights.
+  void setSuns(std::vector<DirectionalLight> suns) { distant_.setSuns(std::move(suns)); }
 
   // See Lamps.
   void look(LightSet set, LampSight sight) { lamps_.look(set, std::move(sight)); }

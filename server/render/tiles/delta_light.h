@@ -86,7 +86,7 @@ class DeltaLight {
     weigh<PlainStart>(start, origin, spots_.size());
   }
   void addSome(std::uint32_t owner, const auto& start, Vec3 origin, float scale, const RayNumbers& numbers) {
-    const Lamps& all = tracing_.scene.still().lights().lamps();
+    const Lamps& all = tracing_.scene.lights().lamps();
     const LampSight::Shares* seen =
         all.hasTree(LightSet::kAll) ? all.tree(LightSet::kAll).seenFrom({origin, normalOf(start)}) : nullptr;
     weigh(start, origin);
@@ -111,12 +111,12 @@ class DeltaLight {
   static constexpr std::uint32_t kPending = 32;  // more than the rays of a packet
 
   const Tracing tracing_;
-  const DeltaLamps& lamps_ = tracing_.scene.still().deltaLamps();
+  const DeltaLamps& lamps_ = tracing_.scene.deltaLamps();
   const OnLight& on_light_;
   const Tell tell_{*this};
   LampPicks picks_;
   const SpotWeights spots_{lamps_.areFew() ? std::span<const SpotLight>{}
-                                           : tracing_.scene.still().lights().lamps().spots()};
+                                           : tracing_.scene.lights().lamps().spots()};
   alignas(64) float weights_[LampPicks::kMost];  // of many lamps
   std::array<Pending, kPending> pending_;
   std::uint32_t next_ = 0;

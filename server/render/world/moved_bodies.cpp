@@ -37,27 +37,22 @@ std::vector<ShapeBox> joined(std::vector<ShapeBox> boxes) {
   return few;
 }
 
-bool anyEmits(const Scene& scene, const std::vector<char>& moves) {
-  const auto isMovingLamp = [&](const auto& shape) {
-    return shape.body != kStands && moves[static_cast<std::size_t>(shape.body)] && emits(shape);
-  };
-  return std::ranges::any_of(scene.meshes, isMovingLamp) || std::ranges::any_of(scene.spheres, isMovingLamp);
-}
-
 }  // namespace
 
 MovedBodies::MovedBodies(const PosedScene& now, const PosedScene& before) {
   if (!now.bodies()) return;
   const Scene& scene = now.still().description();
+  const PosedLamps* lamps = now.bodies()->lamps();
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     moves_.push_back(!now.bodies()->equals(*before.bodies(), i));
     if (!moves_.back()) continue;
+    any_ = true, lamps_move_ = lamps_move_ || (lamps && lamps->bodies[i]);
+    if (!scene.bodies[i].has_shapes) continue;
     ShapeBox& box = boxes_.emplace_back();
     addBody(*now.bodies(), i, box), addBody(*before.bodies(), i, box);
   }
   boxes_ = joined(std::move(boxes_));
   for (const ShapeBox& box : boxes_) wide_boxes_.push_back(widened(box));
-  lamps_move_ = any() && now.bodies()->lamps() && anyEmits(scene, moves_);
 }
 
 }  // namespace saccade

@@ -15,10 +15,10 @@ class MovedBodies {
   MovedBodies() = default;  // none
   MovedBodies(const PosedScene& now, const PosedScene& before);
 
-  bool any() const { return !boxes_.empty(); }
+  bool any() const { return any_; }
   bool includes(std::uint32_t body) const { return any() && body != kNoBody && moves_[body]; }
-  bool lampsMove() const { return lamps_move_; }  // whether one of them emits light
-  // Around all of them; of neighbours together where they are many.
+  bool lampsMove() const { return lamps_move_; }  // whether one of them gives light
+  // Around all that have shapes; of neighbours together where they are many.
   const std::vector<ShapeBox>& boxes() const { return boxes_; }
 
   // The lanes of a packet whose rays meet a box before they end.
@@ -47,7 +47,7 @@ class MovedBodies {
 
   std::vector<char> moves_;                   // by body
   std::vector<ShapeBox> boxes_, wide_boxes_;  // wide: with room for rounding
-  bool lamps_move_ = false;
+  bool any_ = false, lamps_move_ = false;
 };
 
 }  // namespace saccade

@@ -4,17 +4,9 @@
 
 #include "base/content_hash.h"
 #include "render/world/mesh_point.h"
+#include "scene/motion/bodies.h"
 
 namespace saccade {
-namespace {
-
-bool isLampBody(const Scene& scene) {
-  const auto moves = [](const auto& shape) { return shape.body != kStands && emits(shape); };
-  return std::ranges::any_of(scene.meshes, moves) || std::ranges::any_of(scene.spheres, moves);
-}
-
-}  // namespace
-
 PosedBodies::PosedBodies(const RenderScene& scene, const std::vector<Trajectory>& paths)
     : scene_(scene),
       paths_(paths),
@@ -26,7 +18,8 @@ PosedBodies::PosedBodies(const RenderScene& scene, const std::vector<Trajectory>
       straight_(partsOf(&BodyShapes::straight, &DeformedShapes::Trees::straight)) {
   const ShapeBox box = boxOf(scene.description());
   apart_ = 2 * length(box.high - box.low);
-  if (isLampBody(scene.description()))
+  const std::vector<char> give_light = lampBodies(scene.description());
+  if (std::ranges::find(give_light, true) != give_light.end())
     lamps_ = std::make_unique<PosedLamps>(scene.description(), scene.lights());
 }
 

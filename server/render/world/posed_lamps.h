@@ -4,6 +4,7 @@
 #include <span>
 
 #include "render/lights/analytic_light.h"
+#include "render/lights/delta_lamps.h"
 #include "render/lights/light_columns.h"
 #include "render/lights/lights.h"
 #include "scene/motion/rigid_motion.h"
@@ -16,8 +17,10 @@ struct PosedLamps {
   // Takes a time in proportion to the number of lamps.
   void place(const Scene& scene, std::span<const RigidMotion> motions);
 
-  Scene shapes;  // those that emit; others are empty, so that ids stay, and lamps without extent
+  std::vector<char> bodies;  // by body, whether it gives light
+  Scene shapes;              // those that emit; others are empty, so that ids stay, and lamps without extent
   Lights lights;
+  DeltaLamps deltas;
   AnalyticLight analytic;
   LightColumns columns;
 };

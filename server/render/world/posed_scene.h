@@ -60,6 +60,7 @@ class PosedScene {
     return deformed() ? deformed()->rows() : scene_->shapeRows();
   }
   const Lights& lights() const { return lamps() ? lamps()->lights : scene_->lights(); }
+  const DeltaLamps& deltaLamps() const { return lamps() ? lamps()->deltas : scene_->deltaLamps(); }
   const LightColumns& lightColumns() const { return lamps() ? lamps()->columns : scene_->lightColumns(); }
   const AnalyticLight& analyticLight() const { return lamps() ? lamps()->analytic : scene_->analyticLight(); }
 

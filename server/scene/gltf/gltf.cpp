@@ -14,7 +14,6 @@
 #include "scene/gltf/gltf_sky.h"
 #include "scene/motion/own_motions.h"
 #include "scene/scene_origin.h"
-#include "scene/shape_box.h"
 
 namespace saccade {
 namespace {
@@ -59,9 +58,7 @@ class SceneReader {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const auto mover = animation_.moverOf(i);
       const Affine to_world = animation_.worldAt(i, 0);
-      if (mover && nodes_[i].json.extension("KHR_lights_punctual"))
-        scene_.unread.push_back("the lamp " + nodes_[i].name + " stands where its animation begins");
-      addLight(root_, nodes_[i].json, to_world, scene_);
+      addLamp(i, mover, to_world);
       if (!nodes_[i].json.find("mesh")) continue;
       auto form = forms_.of(i);
       const bool has_skin = form && form->skin, changes = form && form->changes;
@@ -90,6 +87,17 @@ class SceneReader {
   }
 
  private:
+  // A lamp moves with its mover, but not with a skin: there the form moves, not the node.
+  void addLamp(std::size_t i, std::optional<std::size_t> mover, const Affine& to_world) {
+    const bool of_skin = mover && nodes_[*mover].json.find("skin");
+    const std::size_t body = of_skin ? i : mover.value_or(i);
+    if (!addLight(root_, nodes_[i].json, {nodes_[body].name, to_world}, scene_) || !mover) return;
+    if (of_skin)
+      scene_.unread.push_back("the lamp " + nodes_[i].name + " stands where its animation begins");
+    else
+      movers_.insert(*mover);
+  }
+
   std::vector<std::size_t> movers() {
     std::vector<std::size_t> all(movers_.begin(), movers_.end());
     if (all.size() <= kMostOwnMotions) return all;
@@ -100,17 +108,13 @@ class SceneReader {
   }
 
   void addMotion(std::size_t i) {
-    ShapeBox box;
-    for (const Mesh& mesh : scene_.meshes)
-      if (mesh.name == nodes_[i].name) box.add(mesh);
-    const Vec3d centre = toDouble(box.centre()) + scene_.origin;
-    const OwnMotion stands{nodes_[i].name, "animation", Trajectory({{TimeNs{0}, {centre, {}}}}), 1};
+    const FixedBody body = fixedBody(scene_, nodes_[i].name);
+    const OwnMotion stands{body.name, "animation", Trajectory({{TimeNs{0}, {body.centre, {}}}}), 1};
     if (deformed_.contains(i) || !animation_.moverOf(i)) return scene_.motions.push_back(stands);
-    const double radius = std::max(1e-6, length(toDouble(box.high - box.low)) / 2);
-    if (auto motion = bodyMotion(animation_, i, nodes_[i].name, centre, radius, scene_.unread))
+    if (auto motion = bodyMotion(animation_, i, body, scene_.unread))
       scene_.motions.push_back(std::move(*motion));
     else if (std::ranges::any_of(scene_.meshes, [&](const Mesh& mesh) {
-               return mesh.name == nodes_[i].name && mesh.deformation != kKeepsForm;
+               return mesh.name == body.name && mesh.deformation != kKeepsForm;
              }))
       scene_.motions.push_back(stands);
   }
@@ -126,7 +130,7 @@ class SceneReader {
   GltfForms forms_;
   GltfMeshes meshes_;
   Scene& scene_;
-  std::set<std::size_t> movers_;    // nodes with meshes, by which these move
+  std::set<std::size_t> movers_;    // nodes with meshes and lamps, by which these move
   std::set<std::size_t> deformed_;  // those of them whose whole motion is a deformation
 };
 

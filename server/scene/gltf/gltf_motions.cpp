@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "scene/gltf/path_sampler.h"
+#include "scene/motion/bodies.h"
+#include "scene/shape_box.h"
 
 namespace saccade {
 namespace {
@@ -67,26 +69,39 @@ bool staysRigid(const GltfAnimation& animation, std::size_t i) {
   return true;
 }
 
-std::optional<OwnMotion> bodyMotion(const GltfAnimation& animation, std::size_t i, const std::string& name,
-                                    Vec3d centre, double radius, std::vector<std::string>& unread) {
+FixedBody fixedBody(const Scene& scene, const std::string& name) {
+  const Body body = bodyNamed(scene, name);
+  const auto isOf = [&](const auto& lamp) { return lamp.name == name; };
+  const bool shines_along =
+      std::ranges::any_of(scene.spot_lights, isOf) || std::ranges::any_of(scene.directional_lights, isOf);
+  const bool turns = body.has_shapes || shines_along || body.low != body.high;
+  const ShapeBox box = body.has_shapes ? ShapeBox{body.low, body.high} : boxOf(scene);
+  const double radius = std::max(1e-6, length(toDouble(box.high - box.low)) / 2);
+  return {name, toDouble(body.centre()) + scene.origin, radius, body.has_shapes, turns};
+}
+
+std::optional<OwnMotion> bodyMotion(const GltfAnimation& animation, std::size_t i, const FixedBody& body,
+                                    std::vector<std::string>& unread) {
   const auto from_rest = inverse(animation.worldAt(i, 0));
   if (!from_rest) {
-    unread.push_back(name + " has no size when its animation begins; it stands");
+    unread.push_back(body.name + " has no size when its animation begins; it stands");
     return {};
   }
   bool rigid = true;
-  MotionToSample motion = motionOf(animation, i, radius);
+  MotionToSample motion = motionOf(animation, i, body.radius);
   motion.at = [&](double t) {
     const Affine moved = animation.worldAt(i, t) * *from_rest;
     rigid = rigid && isRigid(moved);
-    const bool turned = determinant(moved) != 0;
-    return Pose{mapPoint(moved, centre), turned ? rotationOf(moved) : Quaternion{}};
+    const bool turned = body.turns && determinant(moved) != 0;
+    return Pose{mapPoint(moved, body.centre), turned ? rotationOf(moved) : Quaternion{}};
   };
   std::vector<TimedPose> poses = samplePath(motion);
-  if (!rigid) unread.push_back("the size of " + name + " changes in its animation; it keeps its first");
-  if (stands(poses, radius)) return {};
+  if (!rigid && body.has_shapes)
+    unread.push_back("the size of " + body.name + " changes in its animation; it keeps its first");
+  if (stands(poses, body.radius)) return {};
   const std::size_t count = poses.size();
-  return OwnMotion{name, "animation", playedPath(std::move(poses), animation.length(), radius), count};
+  return OwnMotion{body.name, "animation", playedPath(std::move(poses), animation.length(), body.radius),
+                   count};
 }
 
 }  // namespace saccade

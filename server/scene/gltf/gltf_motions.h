@@ -1,6 +1,9 @@
 // Paths of what an animation of a glTF file moves.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "scene/gltf/gltf_animation.h"
 #include "scene/scene.h"
 
@@ -16,9 +19,21 @@ Trajectory playedPath(std::vector<TimedPose> poses, double length, double reach)
 // Whether what is fixed to node i keeps its size while it moves.
 bool staysRigid(const GltfAnimation& animation, std::size_t i);
 
-// The motion of a body around `centre` (world) that is fixed to node i; none where it stands. Adds a sentence
-// to `unread` where its form changes.
-std::optional<OwnMotion> bodyMotion(const GltfAnimation& animation, std::size_t i, const std::string& name,
-                                    Vec3d centre, double radius, std::vector<std::string>& unread);
+// A body that is fixed to a node.
+struct FixedBody {
+  std::string name;
+  Vec3d centre;   // world
+  double radius;  // of what its motion changes: its shapes, or where its lamps shine
+  bool has_shapes;
+  bool turns;  // else its turning shows nowhere, as that of a point
+};
+
+// Of the shapes and lamps of `scene` with this name.
+FixedBody fixedBody(const Scene& scene, const std::string& name);
+
+// The motion of a body of node i; none where it stands. Adds a sentence to `unread` where its shapes change
+// their form.
+std::optional<OwnMotion> bodyMotion(const GltfAnimation& animation, std::size_t i, const FixedBody& body,
+                                    std::vector<std::string>& unread);
 
 }  // namespace saccade

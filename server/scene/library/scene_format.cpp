@@ -35,7 +35,7 @@ Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& opti
   if (const auto chosen = chosenAnimation(file, options); chosen && !formatOf(file).animations)
     throw chosen->error("there is no animation '" + cutText(chosen->name, kMaxEcho) +
                         "': only files of glTF have any");
-  for (OwnMotion& motion : readOwnMotions(file, shapeNames(scene), options)) {
+  for (OwnMotion& motion : readOwnMotions(file, objectNames(scene), options)) {
     std::erase_if(scene.motions, [&](const OwnMotion& other) { return other.name == motion.name; });
     scene.motions.push_back(std::move(motion));
   }

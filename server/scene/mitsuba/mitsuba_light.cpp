@@ -30,10 +30,16 @@ void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& propert
   });
 }
 
-void readPoint(const XmlFile& file, Properties& properties, Scene& scene) {
+// By which objects are moved; empty where the file gives none.
+std::string nameOf(pugi::xml_node emitter) {
+  return emitter.attribute("id").value();
+}
+
+void readPoint(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {
   const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
   const Vec3d position = properties.vector("position").value_or(to_world.translation);
-  scene.point_lights.push_back({toFloat(position - scene.origin), readColor(properties, "intensity")});
+  scene.point_lights.push_back(
+      {toFloat(position - scene.origin), readColor(properties, "intensity"), nameOf(emitter)});
 }
 
 // A half-angle in degrees, as radians.
@@ -51,7 +57,7 @@ void readSpot(const XmlFile& file, pugi::xml_node emitter, Properties& propertie
   scene.spot_lights.push_back(
       {toFloat(to_world.translation - scene.origin), toFloat(orthonormal(file, emitter, to_world).z),
        readColor(properties, "intensity"), halfAngle(file, emitter, beam, "beam_width"),
-       halfAngle(file, emitter, cutoff, "cutoff_angle")});
+       halfAngle(file, emitter, cutoff, "cutoff_angle"), nameOf(emitter)});
 }
 
 void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& properties, Scene& scene) {
@@ -59,7 +65,8 @@ void readDirectional(const XmlFile& file, pugi::xml_node emitter, Properties& pr
   const Vec3d direction = properties.vector("direction").value_or(to_world.z);
   if (!(length(direction) > 0 && std::isfinite(length(direction))))
     throw file.error(emitter, "the direction must not be 0, and finite");
-  scene.directional_lights.push_back({toFloat(normalize(direction)), readColor(properties, "irradiance")});
+  scene.directional_lights.push_back(
+      {toFloat(normalize(direction)), readColor(properties, "irradiance"), nameOf(emitter)});
 }
 
 }  // namespace
@@ -76,7 +83,7 @@ void readLight(const XmlFile& file, pugi::xml_node emitter, FileLoads& loads, Sc
   } else if (type == "sky" || type == "sun" || type == "sunsky") {
     readSky(file, emitter, type, properties, loads, scene);
   } else if (type == "point") {
-    readPoint(file, properties, scene);
+    readPoint(file, emitter, properties, scene);
   } else if (type == "spot") {
     readSpot(file, emitter, properties, scene);
   } else {

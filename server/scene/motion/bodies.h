@@ -1,9 +1,10 @@
-// Bodies: shapes of a scene that move, by their names.
+// Bodies: shapes and lamps of a scene that move, by their names.
 #pragma once
 
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -11,11 +12,18 @@ namespace saccade {
 
 inline constexpr std::size_t kMostBodies = 256;
 
-std::set<std::string> shapeNames(const Scene& scene);
+// Of its shapes, and of its lamps that have a name.
+std::set<std::string> objectNames(const Scene& scene);
 
-// Makes all shapes with one of these names a body. A scene has no other bodies. Throws SceneError, which
-// lists the names that the scene has, where it has no such shape, or a name comes twice.
+// Of the shapes and lamps with a name; there must be some.
+Body bodyNamed(const Scene& scene, const std::string& name);
+
+// Makes all shapes and lamps with one of these names a body. A scene has no other bodies. Throws SceneError,
+// which lists the names that the scene has, where it has no such object, or a name comes twice.
 void setBodies(Scene& scene, std::span<const std::string> names);
+
+// By body, whether it gives light: as an emissive shape, a point, a spot or a sun.
+std::vector<char> lampBodies(const Scene& scene);
 
 // Lets the shapes with one of these names keep the form that they have at stream time 0.
 void keepForms(Scene& scene, std::span<const std::string> names);
