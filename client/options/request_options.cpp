@@ -45,12 +45,11 @@ void addPathOptions(CLI::App& command, RequestOptions& o) {
       "least distance of roam:SPEED to all surfaces, in scene units; by default a twentieth of "
       "the median distance around the start, or less where that leaves no room");
   command
-      .add_option(
-          "--object", o.objects,
-          "NAME=PATH moves the shapes and lamps of this name: KIND:SPEED per second, with KIND "
-          "one of " +
-              enumWords<v1::ObjectMotionKind>() +
-              ", or a .csv or .txt file of poses as for --trajectory; may be given again")
+      .add_option("--object", o.objects,
+                  "NAME=PATH moves the shapes and lamps of this name: KIND:SPEED per second, with KIND "
+                  "one of " +
+                      enumWords<v1::ObjectMotionKind>() +
+                      ", or a .csv or .txt file of poses as for --trajectory; may be given again")
       ->allow_extra_args(false);
   command.add_option(
       "--animation", o.animation,

@@ -14,6 +14,7 @@
 #include "scene/gltf/gltf_sky.h"
 #include "scene/motion/own_motions.h"
 #include "scene/scene_origin.h"
+#include "scene/sky/sky_file.h"
 
 namespace saccade {
 namespace {
@@ -49,7 +50,7 @@ class SceneReader {
         forms_(root_, buffers, nodes_, animation_, scene),
         meshes_(root_, buffers, materials_, forms_, loads_, scene),
         scene_(scene) {
-    addSky(file, loads_, scene_);
+    if (!addSkyFile(file.path(), options, loads_, scene_)) addSky(file, loads_, scene_);
     if (buffers) animation_.readKeys(*buffers);
   }
 

@@ -12,6 +12,7 @@
 #include "scene/model/model_scene.h"
 #include "scene/motion/bodies.h"
 #include "scene/motion/own_motions.h"
+#include "scene/sky/sky_file.h"
 
 namespace saccade {
 namespace {
@@ -35,6 +36,9 @@ Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& opti
   if (const auto chosen = chosenAnimation(file, options); chosen && !formatOf(file).animations)
     throw chosen->error("there is no animation '" + cutText(chosen->name, kMaxEcho) +
                         "': only files of glTF have any");
+  if (!formatOf(file).takes_sky && !isAbsent(file.parent_path() / kSkyFile))
+    throw SceneError((file.parent_path() / kSkyFile).string() + " stands beside a scene of " +
+                     formatOf(file).name + ", which has emitters of its own: use one of constant or envmap");
   for (OwnMotion& motion : readOwnMotions(file, objectNames(scene), options)) {
     std::erase_if(scene.motions, [&](const OwnMotion& other) { return other.name == motion.name; });
     scene.motions.push_back(std::move(motion));
@@ -50,9 +54,9 @@ Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& opti
 
 const std::vector<SceneFormat>& sceneFormats() {
   static const std::vector<SceneFormat> formats{
-      {"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true},
-      {"glTF", ".gltf", loadGltf, outlineGltf, true, animationsOfGltf},
-      {"binary glTF", ".glb", loadGltf, outlineGltf, true, animationsOfGltf},
+      {"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true, false},
+      {"glTF", ".gltf", loadGltf, outlineGltf, true, true, animationsOfGltf},
+      {"binary glTF", ".glb", loadGltf, outlineGltf, true, true, animationsOfGltf},
       {"OBJ", ".obj", loadObjScene, outlineModelScene},
       {"PLY", ".ply", loadPlyScene, outlineModelScene}};
   return formats;

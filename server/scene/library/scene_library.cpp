@@ -10,6 +10,7 @@
 #include "scene/library/scene_format.h"
 #include "scene/mitsuba/scene_values.h"
 #include "scene/motion/own_motions.h"
+#include "scene/sky/sky_file.h"
 
 namespace saccade {
 namespace {
@@ -54,7 +55,8 @@ std::vector<std::string> SceneLibrary::animations(const std::string& name) const
 
 // A scene that was unavailable is read again: a mesh may have come, which is no change of its folder.
 SceneLibrary::Indexed SceneLibrary::refreshed(const fs::path& scene) const {
-  Times changed{changeOf(sceneFileIn(scene)), changeOf(scene / kMotionFile), changeOf(scene / kValuesFile),
+  Times changed{changeOf(sceneFileIn(scene)),  changeOf(scene / kMotionFile),
+                changeOf(scene / kValuesFile), changeOf(scene / kSkyFile),
                 changeOf(scene / "README.md"), changeOf(scene / "trajectories")};
   const auto known = index_.find(scene);
   if (known != index_.end() && known->second.changed == changed && known->second.entry.unavailable.empty())
@@ -95,8 +97,8 @@ Scene SceneLibrary::load(const std::string& name, const LoadProgress& progress, 
 
 fs::file_time_type SceneLibrary::lastChange(const std::string& name) const {
   const fs::path scene = folder_ / name;
-  return std::max(
-      {changeOf(sceneFileIn(scene)), changeOf(scene / kMotionFile), changeOf(scene / kValuesFile)});
+  return std::max({changeOf(sceneFileIn(scene)), changeOf(scene / kMotionFile), changeOf(scene / kValuesFile),
+                   changeOf(scene / kSkyFile)});
 }
 
 Trajectory SceneLibrary::loadTrajectory(const std::string& scene, const std::string& name) const {

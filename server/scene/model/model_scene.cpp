@@ -13,6 +13,7 @@
 #include "scene/mesh/mesh_io.h"
 #include "scene/model/obj_materials.h"
 #include "scene/model/split_mesh.h"
+#include "scene/sky/sky_file.h"
 
 namespace saccade {
 namespace {
@@ -39,6 +40,12 @@ Mesh placed(Mesh mesh, const std::string& path) {
   return mesh;
 }
 
+void loadSky(const std::string& path, const LoadOptions& options, Scene& scene) {
+  FileLoads loads;
+  addSkyFile(path, options, loads, scene);
+  loads.run(options);
+}
+
 }  // namespace
 
 Scene loadObjScene(const std::string& path, const LoadOptions& options) {
@@ -48,6 +55,7 @@ Scene loadObjScene(const std::string& path, const LoadOptions& options) {
   const ObjMaterials materials(path, file, options);
   scene.meshes = splitMesh(placed(std::move(file.mesh), path), materials.ranges());
   materials.addTo(scene, options);
+  loadSky(path, options, scene);
   addDefaults(scene);
   return scene;
 }
@@ -57,6 +65,7 @@ Scene loadPlyScene(const std::string& path, const LoadOptions& options) {
   Scene scene = emptyScene(path);
   scene.materials.push_back(greyMaterial());
   scene.meshes.push_back(placed(loadPly(path), path));
+  loadSky(path, options, scene);
   addDefaults(scene);
   return scene;
 }
@@ -65,7 +74,10 @@ Scene outlineModelScene(const std::string& path, const LoadOptions& options) {
   requireReadable(path, options);
   Scene scene = emptyScene(path);
   scene.meshes.emplace_back().name = fs::path(path).stem().string();
-  scene.unread.push_back("a mesh before a default camera; unless its materials emit, the light is a default");
+  FileLoads loads;
+  const bool has_sky = addSkyFile(path, options, loads, scene);
+  scene.unread.push_back(std::string("a mesh before a default camera") +
+                         (has_sky ? "" : "; unless its materials emit, the light is a default"));
   return scene;
 }
 
