@@ -56,8 +56,11 @@ class Track:
         self.keys.append((time, matrix))
 
     def moves(self):
-        first = numpy.array(self.keys[0][1])
-        return any(abs(numpy.array(matrix) - first).max() > STANDS for _, matrix in self.keys)
+        """Whether it can be seen. A point shines alike however it turns, and a sun wherever it is."""
+        kind = self.item.data.type if self.item.type == "LIGHT" else None
+        columns = {"POINT": slice(3, 4), "SUN": slice(0, 3)}.get(kind, slice(0, 4))
+        matrices = [numpy.array(matrix)[:3, columns] for _, matrix in self.keys]
+        return any(abs(matrix - matrices[0]).max() > STANDS for matrix in matrices)
 
 
 def sample(context, items, samples_per_frame):
@@ -102,9 +105,9 @@ def write_cameras(folder, tracks, tell):
 
 
 def surface_points(context, item):
-    """The corners of an object's faces, in its own axes."""
+    """The corners of an object's faces, in its own axes. Of a lamp without a face the place where it is."""
     if item.type == "LIGHT":
-        return numpy.array(lamp_corners(item.data))
+        return numpy.array(lamp_corners(item.data) if item.data.type == "AREA" else [(0, 0, 0)])
     evaluated = item.evaluated_get(context.evaluated_depsgraph_get())
     mesh = evaluated.to_mesh()
     corners = numpy.empty(len(mesh.loops), numpy.int32)
@@ -148,7 +151,10 @@ def write_bodies(context, folder, tracks, exported, tell):
     tables = []
     for track in tracks:
         name = track.item.name
-        poses = body_poses(context, track, tell) if name in exported and track.moves() else []
+        moves = track.moves()
+        if moves and track.item.type == "LIGHT" and name not in exported:
+            tell(f"the lamp {name} moves, and has another name in the file; it stands where it is at the first frame")
+        poses = body_poses(context, track, tell) if moves and name in exported else []
         if not poses:
             continue
         if len(tables) == MOST_MOVERS:
@@ -354,7 +360,8 @@ def finish_glb(path, camera, sky):
         if sky:
             gltf["scenes"][gltf.get("scene", 0)].setdefault("extensions", {})["SACCADE_sky"] = sky
             gltf.setdefault("extensionsUsed", []).append("SACCADE_sky")
-        exported.update(node["name"] for node in gltf["nodes"] if "mesh" in node)
+        exported.update(node["name"] for node in gltf["nodes"]
+                        if "mesh" in node or "KHR_lights_punctual" in node.get("extensions", {}))
 
     edit_glb(path, edit)
     return exported
@@ -370,8 +377,6 @@ def is_animated(block):
 
 def tell_of_rest(scene, items, tracks, tell):
     for track in tracks:
-        if track.item.type == "LIGHT" and track.item.data.type != "AREA" and track.moves():
-            tell(f"the lamp {track.item.name} moves; it stands where it is at the first frame")
         if track.item.instance_type != "NONE" and track.moves():
             tell(f"the instances of {track.item.name} move; they stand where they are at the first frame")
     for item in items:
@@ -412,7 +417,7 @@ def export(context, folder, samples_per_frame, tell):
             export_gltf(folder / "scene.glb")
         exported = finish_glb(folder / "scene.glb", scene.camera, sky_of(scene.world, folder, tell))
         write_cameras(folder, [t for t in tracks if t.item.type == "CAMERA"], tell)
-        write_bodies(context, folder, [t for t in tracks if t.item.type in SHAPES or t.item in lamps], exported, tell)
+        write_bodies(context, folder, [t for t in tracks if t.item.type in SHAPES | {"LIGHT"}], exported, tell)
         tell_of_rest(scene, items, tracks, tell)
     finally:
         scene.frame_set(frame, subframe=part)

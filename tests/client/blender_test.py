@@ -59,7 +59,7 @@ def shape(name, faces, corners, color, **values):
 
 
 def build():
-    """A cube on a turning parent, a camera that follows it, and a lamp that moves, all along Bezier curves."""
+    """A cube on a turning parent, a camera that follows it, and lamps that move and turn, all along Bezier curves."""
     import bpy
 
     bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -80,6 +80,10 @@ def build():
     lamp = bpy.data.lights.new("Area", "AREA")
     lamp.shape, lamp.size, lamp.size_y, lamp.energy, lamp.color = "RECTANGLE", 1, 2, 300, (1, 0.9, 0.7)
     animate(add("Area", lamp, scale=(1.5, 1, 1)), "location", [(-1, 0, 4), (0, 1, 4), (-2, 2, 4.5)])
+    torch = bpy.data.lights.new("Torch", "SPOT")
+    torch.energy, torch.color, torch.shadow_soft_size, torch.spot_blend, torch.spot_size = 400, (0.6, 0.8, 1), 0, 0, 1
+    turning = add("Torch", torch, location=(2, -3, 4))
+    animate(turning, "rotation_euler", [(0.8, 0, 0.3), (0.6, 0.2, 0.5), (0.9, 0, 0.2)])
     scene.camera = eye
     scene.world = bpy.data.worlds.new("World")
     scene.world.use_nodes = True
@@ -275,6 +279,11 @@ class Export(unittest.TestCase):
             moved = turned(turn, [a - b for a, b in zip(corner, centre)])
             self.assert_near([a + b for a, b in zip(place, moved)], wanted, 1e-5)
 
+    def test_lamps_turn(self):
+        path = poses(next((self.scene / "poses").glob("*Torch.csv")))
+        self.assert_near(path[0][0], [2, 4, 3], 1e-5)  # with y up
+        self.assertGreater(abs(path[round(SECONDS, 6)][1][3] - 1), 1e-3)
+
     def render_as(self, scene, theirs):
         ours = self.folder / f"ours of {theirs}"
         size = "x".join(map(str, SIZE))
@@ -297,7 +306,7 @@ class Export(unittest.TestCase):
                       "--dump", self.folder / "dump")
         self.assert_alike(self.folder / "dump/Iprev_00002.exr", self.folder / "later.exr")
 
-    # The camera, the cube and the lamp move. Without a change the error is 1 and the share 0.
+    # The camera, the cube and the lamps move. Without a change the error is 1 and the share 0.
     def test_a_change_is_that_of_cycles(self):
         rate = FPS / PART
         frame = round(SECONDS * rate) + 1
@@ -318,7 +327,7 @@ class Export(unittest.TestCase):
         told = inside("twice", self.folder / "again", scene=[self.folder / "cube.blend"])
         self.assertIn("Warning: the lamp Bulb has a radius; its shadows are hard", told)
         left, frame = answer(told, "LEFT")
-        objects = ["arm", "the cube", "floor", "Eye", "Another", "Area", "Bulb"]
+        objects = ["arm", "the cube", "floor", "Eye", "Another", "Area", "Bulb", "Torch"]
         self.assertEqual(left, sorted(objects + 2 * ["the cube", "floor"]))  # and their meshes and materials
         self.assertEqual(frame, 3.5)
         self.assertEqual(len(poses(self.folder / "again/trajectories/Eye.csv")), 12 * 8 + 1)
