@@ -40,7 +40,7 @@ const std::vector<BadRequest> kBadObjects{
      "'teapot'; it has: back_wall, ceiling, floor, left_wall, light, right_wall, short_block, tall_block"},
     {spinning(), [](auto& r) { addMotion(r, "absent", v1::OBJECT_MOTION_KIND_SPIN, 9); }, v1::CODE_NOT_FOUND,
      "objects[1].name", "'absent'"},  // by its place in the request, although it comes first by name
-    {spinning(), [](auto& r) { r.mutable_objects(0)->clear_name(); }, kInvalid, "objects[0].name", "the name of a shape"},
+    {spinning(), [](auto& r) { r.mutable_objects(0)->clear_name(); }, kInvalid, "objects[0].name", "the name of an object"},
     {spinning(), [](auto& r) { *r.add_objects() = r.objects(0); }, kInvalid, "objects[1].name", "given twice"},
     {spinning(), [](auto& r) { while (r.objects_size() < 65) r.add_objects(); }, kInvalid, "objects", "more than 64"},
     {spinning(), [](auto& r) { while (r.objects_size() < 10'000) r.add_objects(); }, kInvalid, "objects", "more than 64"},
