@@ -107,6 +107,7 @@ TEST(LampPicture, IsSampledByItsPlaces) {
 TEST(LampPicture, MovesWithItsLamp) {
   Scene scene = floorWith(pictured());
   scene.meshes.back().body = 0;
+  scene.bodies.resize(1);
   Texture picture(2, 1, {{2, 2, 2}, {0, 0, 0}});
   picture.setWrap(Texture::Wrap::kClamp, Texture::Wrap::kClamp);
   scene.textures.push_back(std::move(picture));
