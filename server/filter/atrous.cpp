@@ -13,6 +13,8 @@ constexpr float kGauss[2] = {1.f / 2, 1.f / 4};  // g_3x3, separable, by distanc
 
 AtrousSignal signalOf(const AtrousParams& params) {
   if (!params.difference) return AtrousSignal::kPrimal;
+  if (!params.primal)
+    return params.use_prev ? AtrousSignal::kDifferenceHeedingPrev : AtrousSignal::kDifference;
   return params.use_prev ? AtrousSignal::kBothHeedingPrev : AtrousSignal::kBoth;
 }
 
@@ -39,7 +41,7 @@ AtrousChannel::AtrousChannel(const ImageF& signal, const ImageF& variance, int x
 std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousParams& params, int step,
                                          const FilterPlanes& in, const PoolHandle& pool, FilterPlanes& out) {
   static_assert(2 * kMaxAtrousStep <= ImageF::kBorder);
-  SACCADE_CHECK(step <= kMaxAtrousStep);
+  SACCADE_CHECK(step <= kMaxAtrousStep && (params.primal || params.difference));
   const int width = in.i.width();
   const AtrousSignal signal = signalOf(params);
   const auto filter = instructionSet() == InstructionSet::kAvx512 ? filterChunkAvx512 : filterChunkAvx2;
@@ -47,13 +49,14 @@ std::chrono::nanoseconds atrousIteration(const FramePair& frames, const AtrousPa
     for (int x0 = 0; x0 < width; x0 += kAtrousChunk) {
       const int n = std::min(kAtrousChunk, width - x0);
       // A count of 0 skips the planes that the filter does not read.
+      const int n_primal = params.primal ? n : 0;
       const int n_diff = params.difference ? n : 0, n_prev = params.use_prev ? n_diff : 0;
       const AtrousFeatures cur(frames.cur.g, x0, y, n, params), prev(frames.prev.g, x0, y, n_prev, params);
-      AtrousChannel primal(in.i, in.var_i, x0, y, n, params.sigma_l, params.repeat_edge_variance);
+      AtrousChannel primal(in.i, in.var_i, x0, y, n_primal, params.sigma_l, params.repeat_edge_variance);
       AtrousChannel difference(in.d, in.var_d, x0, y, n_diff, params.sigma_l_diff,
                                params.repeat_edge_variance);
       filter(signal, {cur, prev, n, in.i.stride(), step, params.sigma_n, params.kernel, primal, difference});
-      primal.store(n, out.i.row(y) + x0, out.var_i.row(y) + x0);
+      primal.store(n_primal, out.i.row(y) + x0, out.var_i.row(y) + x0);
       difference.store(n_diff, out.d.row(y) + x0, out.var_d.row(y) + x0);
     }
   });

@@ -21,6 +21,7 @@ struct AtrousParams {
   float sigma_n = 128;
   float sigma_l = 10;                // primal
   float sigma_l_diff = 10;           // difference
+  bool primal = true;                // off: only the difference, which must be on
   bool difference = true;            // off: only the primal
   float least_slope = kLeastSlope;   // edge_stopping.h
   bool repeat_edge_variance = true;  // outside the picture; off: the variance there is the border's 0

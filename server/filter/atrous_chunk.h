@@ -34,7 +34,7 @@ struct AtrousChannel {
   alignas(64) float r_l[kAtrousChunk], filtered[kAtrousChunk], filtered_v[kAtrousChunk];
 };
 
-enum class AtrousSignal { kPrimal, kBoth, kBothHeedingPrev };
+enum class AtrousSignal { kPrimal, kDifference, kDifferenceHeedingPrev, kBoth, kBothHeedingPrev };
 
 struct AtrousChunk {
   const AtrousFeatures &cur, &prev;

@@ -86,18 +86,21 @@ struct Sums {
 
 template <int W, AtrousSignal What>
 void filterChunk(const AtrousChunk& chunk, const Taps& taps) {
+  using enum AtrousSignal;
+  constexpr bool kHeedsPrev = What == kBothHeedingPrev || What == kDifferenceHeedingPrev;
+  constexpr bool kHasPrimal = What != kDifference && What != kDifferenceHeedingPrev;
+  constexpr bool kHasDifference = What != kPrimal;
   const float s_n = chunk.sigma_n * kLog2E;
   for (int x = 0; x < chunk.n; x += W) {
     const Centre<W> cur(chunk.cur, x, s_n), prev(chunk.prev, x, s_n);
     Sums<W> primal(chunk.primal, x), difference(chunk.difference, x);
     for (const Tap& tap : taps) {
       const Floats<W> e = cur.exponent(tap);
-      primal.add(tap, e);
-      if constexpr (What == AtrousSignal::kBoth) difference.add(tap, e);
-      if constexpr (What == AtrousSignal::kBothHeedingPrev) difference.add(tap, e + prev.exponent(tap));
+      if constexpr (kHasPrimal) primal.add(tap, e);
+      if constexpr (kHasDifference) difference.add(tap, kHeedsPrev ? Floats<W>(e + prev.exponent(tap)) : e);
     }
-    primal.store(chunk.primal);
-    if constexpr (What != AtrousSignal::kPrimal) difference.store(chunk.difference);
+    if constexpr (kHasPrimal) primal.store(chunk.primal);
+    if constexpr (kHasDifference) difference.store(chunk.difference);
   }
 }
 
@@ -115,9 +118,12 @@ void filterChunk(AtrousSignal signal, const AtrousChunk& chunk) {
                                  1 / (static_cast<float>(chunk.step) * distance)};
     }
   }
-  if (signal == AtrousSignal::kPrimal) return filterChunk<W, AtrousSignal::kPrimal>(chunk, taps);
-  if (signal == AtrousSignal::kBoth) return filterChunk<W, AtrousSignal::kBoth>(chunk, taps);
-  filterChunk<W, AtrousSignal::kBothHeedingPrev>(chunk, taps);
+  using enum AtrousSignal;
+  if (signal == kPrimal) return filterChunk<W, kPrimal>(chunk, taps);
+  if (signal == kDifference) return filterChunk<W, kDifference>(chunk, taps);
+  if (signal == kDifferenceHeedingPrev) return filterChunk<W, kDifferenceHeedingPrev>(chunk, taps);
+  if (signal == kBoth) return filterChunk<W, kBoth>(chunk, taps);
+  filterChunk<W, kBothHeedingPrev>(chunk, taps);
 }
 
 }  // namespace saccade::detail

@@ -136,6 +136,19 @@ TEST_F(Fixture, ThePrimalIsTheSameWithAndWithoutTheDifference) {
   EXPECT_EQ(alone.d.at(5, 5), 0);
 }
 
+TEST_F(Fixture, TheDifferenceIsTheSameWithAndWithoutThePrimal) {
+  for (const bool use_prev : {false, true}) {
+    FilterPlanes both(kW, kH), alone(kW, kH);
+    atrousIteration({cur, prev}, {.use_prev = use_prev}, 2, in, pool, both);
+    atrousIteration({cur, prev}, {.primal = false, .use_prev = use_prev}, 2, in, pool, alone);
+    for (int y = 0; y < kH; ++y)
+      for (int x = 0; x < kW; ++x) {
+        EXPECT_EQ(alone.d.at(x, y), both.d.at(x, y));
+        EXPECT_EQ(alone.var_d.at(x, y), both.var_d.at(x, y));
+      }
+  }
+}
+
 // Figure 3: an edge that only the previous frame saw must hold back the difference, not the primal.
 TEST_F(Fixture, TheDifferenceHeedsEdgesOfThePreviousFrame) {
   for (Frame* f : {&cur, &prev}) test::makeWall(*f);
