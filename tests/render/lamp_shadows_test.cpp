@@ -25,7 +25,7 @@ Scene cardUnderALamp() {
 
 // Frames of cameras at these x, with shadows wanted everywhere. The last one's are returned.
 std::vector<SurfaceShadow> trace(const Scene& scene, const std::vector<double>& xs, int spp = 2,
-                                 int threads = 2) {
+                                 int threads = 2, float wanted = 0.02f) {
   const PosedScene posed(std::make_shared<RenderScene>(scene));
   TilePool pool(threads);
   Renderer renderer({0, 1});
@@ -41,7 +41,7 @@ std::vector<SurfaceShadow> trace(const Scene& scene, const std::vector<double>& 
     frames.swap();
     const PixelContext view({posed, camera}, {posed, last});
     renderer.renderSurfaces(view, pool, frames.current());
-    for (SurfaceShadow& s : frames.current().surfaces->shadows()) s.wanted = 0.02f;
+    for (SurfaceShadow& s : frames.current().surfaces->shadows()) s.wanted = wanted;
     if (&x != &xs[0]) renderer.traceShadows(view, spp, frames.current(), frames.pair().prev, pool);
     before = x;
   }
@@ -111,6 +111,18 @@ TEST(LampShadows, AHiddenLampHarmsNothing) {
     const double share = luminance(weak.at(p, of_weak)) / luminance(all.at(p, of_all));
     EXPECT_NEAR(both[i].now.mean, alone[i].now.mean * share, 0.15 * share) << i;  // a ray or two of twelve
   }
+}
+
+// Where a body may have moved, half of the rays tell whether any others are needed.
+TEST(LampShadows, PointsWhoseRaysAgreeGetFew) {
+  int agree = 0, differ = 0;
+  for (const SurfaceShadow& s : trace(cardUnderALamp(), {0.2, 0.21}, 2, 2, SurfaceShadow::kMoves)) {
+    const bool one = s.now.mean == s.before.mean && (s.now.mean == 0 || s.now.mean == 1);
+    EXPECT_TRUE(s.rays == 32 || (one && (s.rays == 2 || s.rays == 16))) << s.rays << ' ' << s.now.mean;
+    agree += s.rays == 16, differ += s.rays == 32;
+  }
+  EXPECT_GT(agree, 2);
+  EXPECT_GT(differ, kWidth);
 }
 
 TEST(LampShadows, AreTheSameForAnyNumberOfThreads) {

@@ -7,6 +7,7 @@ namespace saccade {
 namespace {
 
 constexpr int kFew = 2, kMost = 256;  // rays to a group of lamps
+constexpr int kPartAtFirst = 2;       // of those for kMayHaveMoved: they tell whether others are needed
 constexpr float kSpread = 0.25f;  // variance of a change by rays that are spread evenly, of that by any rays
 
 bool moves(const SurfaceShadow& shadow) {
@@ -33,6 +34,16 @@ float rayVariance(const FrameRays& of, const RayRequest& request, int rays) {
 int LampShadows::raysOf(RayNeed need, int spp) {
   constexpr std::array<int, 3> kRaysPerPath = {4, 6, 16};
   return std::clamp(kRaysPerPath[need] * spp, kFew, kMost);
+}
+
+std::uint32_t LampShadows::groupsThatDiffer(const RayRequest& request) const {
+  std::uint32_t groups = 0;
+  for (int g = 0; g < now_.groups(); ++g) {
+    const LampRays &now = now_.at(request.point, g), &before = before_.at(request.point, g);
+    const bool any_lit = now.anyLit() || before.anyLit(), any_dark = now.anyDark() || before.anyDark();
+    if (any_lit && any_dark) groups |= request.groups & 1u << g;
+  }
+  return groups;
 }
 
 void LampShadows::finish(std::size_t point, int rays, SurfaceShadow& shadow) const {
@@ -91,6 +102,10 @@ std::chrono::nanoseconds LampShadows::trace(const FrameStarts& now, const FrameS
     }
   });
   return time + forEachBand([&](int, Requests& band) {
+           std::vector<RayRequest>& may_have_moved = band.many[kMayHaveMoved];
+           traceBoth(may_have_moved, raysOf(kMayHaveMoved, spp) / kPartAtFirst);
+           for (RayRequest& request : may_have_moved) request.groups = groupsThatDiffer(request);
+           std::erase_if(may_have_moved, [](const RayRequest& request) { return request.groups == 0; });
            for (const RayNeed need : {kElseLearned, kElseKnown, kMayHaveMoved})
              traceBoth(band.many[need], raysOf(need, spp));
            for (const RayRequest& few : band.few)
