@@ -30,7 +30,6 @@ struct SurfacePoint {
   SurfaceKind kind = SurfaceKind::kNone;
   bool light_moves = false;  // whether direct light may have changed since the frame before
   bool baked = false;        // whether its light is known ahead, as the method finds
-  bool touched = false;      // whether its paths may differ from their replays, see SurfaceSamples::replays()
   bool near_shadow = false;  // of a baked one: whether rays may tell its visibility
   std::uint32_t paths = 0;   // that it gets, as the method plans
 
@@ -106,10 +105,10 @@ class SurfaceSamples {
   const SurfacePlace& place(std::size_t index) const { return places_[index]; }
   SurfaceLight& light(std::size_t index) { return lights_[index]; }
   const SurfaceLight& light(std::size_t index) const { return lights_[index]; }
-  // The light that the same numbers find at the same points in the world of the frame before. Empty unless a
-  // body has moved since, and where the strengths of lamps have changed.
-  std::vector<SurfaceLight>& replays() { return replays_; }
-  const std::vector<SurfaceLight>& replays() const { return replays_; }
+  // The change of SurfaceLight::residual from what the same numbers find at the same points in the world of
+  // the frame before. Empty unless a body has moved since, and where the strengths of lamps have changed.
+  std::vector<float>& changes() { return changes_; }
+  const std::vector<float>& changes() const { return changes_; }
   std::vector<SurfaceShadow>& shadows() { return shadows_; }
   const std::vector<SurfaceShadow>& shadows() const { return shadows_; }
   // Of the point with an index.
@@ -157,7 +156,7 @@ class SurfaceSamples {
   std::vector<SurfacePlace> places_;
   std::vector<SurfaceLight> lights_;
   std::vector<SurfaceShadow> shadows_;
-  std::vector<SurfaceLight> replays_;
+  std::vector<float> changes_;
 };
 
 }  // namespace saccade

@@ -85,7 +85,7 @@ void IrradianceCache::estimate(const FramePair& frames, const PoolHandle& pool, 
   known_.read(frames, pool, times);
   const int most = refined_ ? 0 : known_.hasBake() ? kBakedIterations : params_.iterations;
   const int iterations = std::min(params_.iterations, most);
-  if (iterations == 0 && frames.cur.surfaces->replays().empty())
+  if (iterations == 0 && frames.cur.surfaces->changes().empty())
     times[Stage::kModulate] += modulateLookUps(frames, pool, out);
   else
     modulateFiltered(frames, iterations, pool, out, times);
@@ -147,11 +147,11 @@ void IrradianceCache::filter(const FramePair& frames, int iterations, const Pool
 }
 
 void IrradianceCache::addLightChange(const FramePair& frames, const PoolHandle& pool, StageTimes& times) {
-  moved_ = !frames.cur.surfaces->replays().empty();
+  moved_ = !frames.cur.surfaces->changes().empty();
   if (!moved_) return;
   if (!change_) change_ = std::make_unique<LightChange>(i_prev_.width(), i_prev_.height());
   known_.keepChanges();
-  change_->estimate(frames, known_.at(), known_.state(), known_.of(frames.cur), pool, times);
+  change_->estimate(frames, known_.at(), known_.state(), pool, times);
   const FrameOnGrid frame{*frames.cur.surfaces, frames.cur.g, known_.at()};
   times[Stage::kTemporal] += known_.state().grid.moveOn(frame, change_->change(), pool);
   times[Stage::kModulate] += pool.forEachRow(i_prev_.height(), [&](int y) {

@@ -105,7 +105,7 @@ void KnownLight::readGrid(const FramePair& frames, const PoolHandle& pool, Stage
   GridEstimate &now = estimateOf(frames.cur), &before = estimateOf(frames.prev);
   SurfaceGrid &grid = states_.current().grid, &grid_prev = states_.previous().grid;
   if (has_bodies) {
-    const auto kept = cur.on.replays().empty() ? keptWithoutReplays : keptWithReplays;
+    const auto kept = cur.on.changes().empty() ? keptWithoutReplays : keptWithReplays;
     times[Stage::kTemporal] += grid.fade(cur, kept, pool);
   }
   const SurfaceGrid::Added added = grid.add(cur, pool);

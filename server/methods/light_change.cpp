@@ -1,7 +1,6 @@
 #include "methods/light_change.h"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 #include "filter/atrous.h"
@@ -10,7 +9,7 @@ namespace saccade {
 namespace {
 
 constexpr int kIterations = 3;
-constexpr AtrousParams kAtrous{.sigma_n = 16, .sigma_l = 10, .sigma_l_diff = 4};
+constexpr AtrousParams kAtrous{.sigma_n = 16, .sigma_l_diff = 4, .primal = false};
 
 // Of all changes that are known, in each frame.
 float kept(const SurfacePoint&) {
@@ -28,20 +27,12 @@ float proven(float d, float var) {
 }  // namespace
 
 void LightChange::estimate(const FramePair& frames, const Placement& at, LightState& light,
-                           const GridEstimate& i, const PoolHandle& pool, StageTimes& times) {
+                           const PoolHandle& pool, StageTimes& times) {
   const SurfaceSamples& on = *frames.cur.surfaces;
-  differences_.resize(on.replays().size());
-  std::atomic<bool> any = false;
-  times[Stage::kTemporal] += pool.forEachRow(on.height(), [&](int y) {
-    for (int column = 0; column < on.columns(); ++column) {
-      const std::size_t k = on.indexOf(column, y);
-      differences_[k].residual = on.light(k).residual - on.replays()[k].residual;
-      if (differences_[k].residual != 0) any = true;
-    }
-  });
+  const auto differs = [](float change) { return change != 0; };
   // Changes of earlier frames say nothing of bodies that have come to rest.
-  if (!any) return planes_.d.fill(0);
-  const FrameOnGrid frame{.on = on, .g = frames.cur.g, .at = at, .residuals = &differences_};
+  if (std::ranges::none_of(on.changes(), differs)) return planes_.d.fill(0);
+  const FrameOnGrid frame{.on = on, .g = frames.cur.g, .at = at, .residuals = &on.changes()};
   SurfaceGrid& changes = light.changes;
   changes.follow(light.grid);
   times[Stage::kTemporal] += changes.fade(frame, kept, pool);
@@ -50,10 +41,8 @@ void LightChange::estimate(const FramePair& frames, const Placement& at, LightSt
   times[Stage::kTemporal] += added.time + changes.learn(compared, pool);
   times[Stage::kVariance] += compared.time;
   times[Stage::kVariance] += pool.forEachRow(on.height(), [&](int y) {
-    for (int x = 0; x < planes_.i.width(); ++x) {
-      planes_.i.at(x, y) = i.i.at(x, y), planes_.var_i.at(x, y) = i.var_i.at(x, y);
+    for (int x = 0; x < planes_.d.width(); ++x)
       planes_.d.at(x, y) = estimate_.i.at(x, y), planes_.var_d.at(x, y) = estimate_.var_i.at(x, y);
-    }
   });
   for (int k = 0; k < kIterations; ++k) {
     times[Stage::kAtrous] += atrousIteration(frames, kAtrous, 1 << k, planes_, pool, scratch_);

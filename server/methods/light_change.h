@@ -1,7 +1,7 @@
 // The change of light at points of surfaces, where bodies move: what closed forms and shadow rays do not tell
 // of it [ours].
 //
-// takes    paths of this frame, and their replays in the world of the frame before
+// takes    paths of this frame, and what their replays in the world of the frame before have found
 // returns  the change of illumination since then at the points of this frame, 0 where none is proven
 #pragma once
 
@@ -15,15 +15,13 @@ class LightChange {
  public:
   LightChange(int w, int h) : estimate_(w, h), planes_(w, h), scratch_(w, h) {}
 
-  // `at`: the points of the frame in the grids of `light`, whose changes learn. `i`: their light, and its
-  // variance.
-  void estimate(const FramePair& frames, const Placement& at, LightState& light, const GridEstimate& i,
-                const PoolHandle& pool, StageTimes& times);
+  // `at`: the points of the frame in the grids of `light`, whose changes learn.
+  void estimate(const FramePair& frames, const Placement& at, LightState& light, const PoolHandle& pool,
+                StageTimes& times);
   // After estimate().
   const ImageF& change() const { return planes_.d; }
 
  private:
-  std::vector<SurfaceLight> differences_;
   GridEstimate estimate_;
   FilterPlanes planes_, scratch_;
 };

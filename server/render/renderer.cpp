@@ -48,6 +48,13 @@ int tileEdge(int spp, int bounces) {
   return std::clamp(static_cast<int>(std::sqrt(kPieceRays / pixel_rays)), 1, kMaxTileEdge);
 }
 
+std::uint32_t mostPaths(const SurfaceSamples& on) {
+  std::uint32_t most = 0;
+  for (int y = 0; y < on.height(); ++y)
+    for (const SurfacePoint& p : on.row(y)) most = std::max(most, p.paths);
+  return most;
+}
+
 }  // namespace
 
 std::chrono::nanoseconds Renderer::render(const PixelContext& view, const SeedPlan& seeds,
@@ -97,30 +104,33 @@ std::chrono::nanoseconds Renderer::renderPaths(const PosedView& view, const Seed
                         view.scene.still().deltaLamps().getRays(),
                         true,
                         moved_.any() ? &moved_ : nullptr};
+  if (moved_.any()) touched_.reset(out.surfaces->indexOf(0, out.height()), mostPaths(*out.surfaces));
   const auto tile = withKernel(view.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderPathTile<S, 1> : renderPathTile<S, 3>;
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp1 + seeds.spp2, settings_.bounces),
-                          [&](Tile t) { tile(seeds, tracing, t, starts(), out); });
+                          [&](Tile t) { tile(seeds, tracing, t, starts(), touched_, out); });
 }
 
 std::chrono::nanoseconds Renderer::renderReplays(const PixelContext& view, const SeedPlan& seeds,
                                                  const PoolHandle& pool, Frame& out) {
-  std::vector<SurfaceLight>& replays = out.surfaces->replays();
+  std::vector<float>& changes = out.surfaces->changes();
   if (!moved_.any() || view.now.scene.strengths().state() != view.before.scene.strengths().state())
-    return replays.clear(), std::chrono::nanoseconds{0};
-  replays.resize(out.surfaces->indexOf(0, out.height()));
+    return changes.clear(), std::chrono::nanoseconds{0};
+  changes.assign(out.surfaces->indexOf(0, out.height()), 0);
   const Camera& camera = view.now.camera;
   const Tracing tracing{view.before.scene,
                         settings_.bounces,
                         {nullptr, camera.origin, camera.pixel},
                         view.before.scene.still().deltaLamps().getRays(),
+                        true,
+                        nullptr,
                         true};
   const auto tile = withKernel(view.now.scene.still().shading(), [this]<Shading S>() {
     return settings_.channels == 1 ? renderReplayTile<S, 1> : renderReplayTile<S, 3>;
   });
   return pool.forEachTile(out.width(), out.height(), tileEdge(seeds.spp2, settings_.bounces),
-                          [&](Tile t) { tile(view, moved_, seeds, tracing, t, starts(), out); });
+                          [&](Tile t) { tile(view, moved_, touched_, seeds, tracing, t, starts(), out); });
 }
 
 std::chrono::nanoseconds Renderer::renderPairs(const PixelContext& view, const SeedPlan& seeds,

@@ -14,6 +14,7 @@
 #include "render/camera/pixel_context.h"
 #include "render/tiles/lamp_shadows.h"
 #include "render/tiles/surface_place.h"
+#include "render/tiles/touched_paths.h"
 
 namespace saccade {
 
@@ -48,7 +49,7 @@ class Renderer {
   std::chrono::nanoseconds traceShadows(const PixelContext& view, int spp, Frame& now, const Frame& before,
                                         const PoolHandle& pool);
 
-  // Sets or clears SurfaceSamples::replays() of a frame. Called after renderPaths(), whose numbers and light
+  // Sets or clears SurfaceSamples::changes() of a frame. Called after renderPaths(), whose numbers and light
   // it takes.
   std::chrono::nanoseconds renderReplays(const PixelContext& view, const SeedPlan& seeds,
                                          const PoolHandle& pool, Frame& out);
@@ -67,6 +68,8 @@ class Renderer {
   // From the frame before into that of the last renderSurfaces().
   const FrameRays& shadowRays() const { return shadows_.rays(); }  // after traceShadows()
   FrameMotion motion() const { return {moved_, *changing_, sliding_}; }
+  // Of the last renderPaths() after which renderReplays() may replay any.
+  const TouchedPaths& touchedPaths() const { return touched_; }
 
  private:
   RenderSettings settings_;
@@ -77,6 +80,7 @@ class Renderer {
   MovedBodies moved_;
   std::optional<ChangingLight> changing_;
   SlidingSurfaces sliding_;
+  TouchedPaths touched_;
   // Of points that may get paths, of the last renderSurfaces(). Those of the one before it are kept where
   // its pixels hasUncacheable(), or where lamps have a closed form.
   std::array<SurfaceStarts, 2> starts_;

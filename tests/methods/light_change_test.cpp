@@ -17,20 +17,19 @@ struct LightChangeTest : testing::Test {
       f->g.z.fill(1), f->g.z_in_prev.fill(1), f->g.dz.fill(0.01f), f->g.albedo.fill(1);
       for (int y = 0; y < kH; ++y) std::fill_n(f->g.nz.row(y), kW, 1.f);
     }
-    for (int y = 0; y < kH; ++y) std::fill_n(estimate.i.row(y), kW, 1.f);
   }
 
   // A frame that shows the wall from `left` pixels on, where light changes by `d`.
   void step(std::uint64_t strengths, float left, float d) {
     SurfaceSamples& on = *cur.surfaces;
-    on.replays().resize(on.indexOf(0, kH));
+    on.changes().resize(on.indexOf(0, kH));
     for (int y = 0; y < kH; ++y)
       for (int x = 0; x < kW; ++x) {
         const std::size_t i = on.indexOf(x, y);
         on[i] = {.share = 1, .kind = SurfaceKind::kDiffuse, .paths = 1};
         const Vec3 at{(left + float(x)) * kPixel, float(y) * kPixel, 0};
         on.place(i) = {at, {0, 0, 1}, kPixel, 0};
-        on.light(i).residual = 1 + d, on.replays()[i].residual = 1;
+        on.light(i).residual = 1 + d, on.changes()[i] = d;
       }
     estimateChange(strengths);
   }
@@ -39,7 +38,7 @@ struct LightChangeTest : testing::Test {
     states.enter(strengths, frame++);
     Placement before;
     states.current().grid.place(*cur.surfaces, nullptr, pool, before, at);
-    change.estimate({cur, prev}, at, states.current(), estimate, pool, times);
+    change.estimate({cur, prev}, at, states.current(), pool, times);
   }
   void expectChange(float d) const {
     for (int y = 0; y < kH; ++y)
@@ -51,7 +50,6 @@ struct LightChangeTest : testing::Test {
   LightStates states{{}, std::size_t{1} << 24};
   Placement at;
   LightChange change{kW, kH};
-  GridEstimate estimate{kW, kH};
   StageTimes times;
   std::uint32_t frame = 0;
 };
@@ -76,7 +74,7 @@ TEST_F(LightChangeTest, TheErrorOfAChangeIsRelativeToTheLight) {
       SurfaceSamples& on = *cur.surfaces;
       for (std::size_t i = 0; i < on.indexOf(0, kH); ++i) {
         on.light(i).residual = light;
-        on.replays()[i].residual = light + ((i / 3 + static_cast<std::size_t>(t)) % 2 ? 0.01f : -0.01f);
+        on.changes()[i] = (i / 3 + static_cast<std::size_t>(t)) % 2 ? -0.01f : 0.01f;
       }
       estimateChange(strengths);
       states.current().grid.add({on, cur.g, at}, pool);

@@ -64,9 +64,9 @@ TEST(MovingLamps, MoveLightAndNoShape) {
   const PosedScene now(scene, {standing(moving.bodies[0], kMoved)}),
       then(scene, {standing(moving.bodies[0])});
   const MovedBodies moved(now, then), none(then, then);
-  EXPECT_TRUE(moved.any() && moved.lampsMove());
+  EXPECT_TRUE(moved.any() && moved.touchAllFrom(kNoBody));
   EXPECT_TRUE(moved.boxes().empty());
-  EXPECT_FALSE(none.any() || none.lampsMove());
+  EXPECT_FALSE(none.any() || none.touchAllFrom(kNoBody));
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ SurfaceGrid::Added SurfaceGrid::add(const FrameOnGrid& frame, const PoolHandle& 
       const auto n = static_cast<float>(on[index].paths);
       if (on[index].paths == 0) continue;
       if (frame.residuals) {
-        samples_[i] = Quad{n, n * (*frame.residuals)[index].residual, 0, 0};
+        samples_[i] = Quad{n, n * (*frame.residuals)[index], 0, 0};
         continue;
       }
       const SurfaceLight& light = on.light(index);

@@ -52,8 +52,8 @@ struct FrameOnGrid {
   // Visibility by rays at its points, of SurfaceSamples::shadows; nullptr: there is none.
   const std::vector<SurfaceShadow>* shadows = nullptr;
   RayVisibility SurfaceShadow::*visibility = &SurfaceShadow::now;
-  // Light to add instead of SurfaceSamples::light, of which only `residual` counts; nullptr: none.
-  const std::vector<SurfaceLight>* residuals = nullptr;
+  // Residual light to add, by point, instead of SurfaceSamples::light; nullptr: none.
+  const std::vector<float>* residuals = nullptr;
 };
 
 class SurfaceGrid {

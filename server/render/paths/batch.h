@@ -21,12 +21,18 @@ struct Batch {
   std::uint32_t dimension(Dimension d) const { return static_cast<std::uint32_t>(vertex) * kDimensions + d; }
 };
 
-// Marks the paths of rays that meet bodies which have moved. `slots`: theirs, by lane.
+// Marks the paths in these lanes. `slots`: theirs, by lane.
 template <int W, int C>
-[[gnu::always_inline]] inline void markTouched(const Batch<C>& b, const RayPacket<W>& rays, LaneSet lanes,
-                                               const Uints<W>& slots) {
-  if (!b.t.moved) return;
-  forEachLane(lanes & b.t.moved->metBy(rays), [&](int i) { b.results.touched[slots[i]] = true; });
+[[gnu::always_inline]] inline void markTouched(const Batch<C>& b, LaneSet lanes, const Uints<W>& slots) {
+  forEachLane(lanes, [&](int i) { b.results.touched[slots[i]] = true; });
+}
+// The lanes whose paths are not marked yet.
+template <int W, int C>
+[[gnu::always_inline]] inline LaneSet notTouched(const Batch<C>& b, LaneSet lanes, const Uints<W>& slots) {
+  forEachLane(lanes, [&](int i) {
+    if (b.results.touched[slots[i]]) lanes.remove(i);
+  });
+  return lanes;
 }
 
 // The random numbers of W paths at their vertex, by their places in a group of dimensions. Paths with a

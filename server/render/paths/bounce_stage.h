@@ -66,8 +66,17 @@ class BounceRays {
     b_.t.scene.geometry().template intersect<W>(packet_, LaneSet::first(count),
                                                 EmbreeTracer::Rays::kScattered);
     const auto path = std::bit_cast<Uints<W>>(e[6]);
-    if (b_.t.moved) markTouched<W>(b_, packet_, LaneSet::first(count), gather(&b_.now->slot[0], path));
+    if (b_.t.moved) markThatDiffer(LaneSet::first(count), gather(&b_.now->slot[0], path));
     shadeHits<W, K>(b_, packet_, count, path);
+  }
+
+  // Marks the paths whose hits are others in the frame before.
+  void markThatDiffer(LaneSet lanes, const Uints<W>& slots) {
+    const MovedBodies& moved = *b_.t.moved;
+    const LaneSet met = notTouched<W>(b_, lanes & moved.metBy(packet_), slots);
+    LaneSet hits;
+    forEachLane(met, [&](int i) { hits.add(i, moved.includes(packet_.instance[i])); });
+    markTouched<W>(b_, hits | moved.blockedBefore(packet_, met - hits), slots);
   }
 
   const Batch<C>& b_;

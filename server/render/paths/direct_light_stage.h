@@ -79,6 +79,8 @@ void directLightOf(const Batch<K.channels>& b, Stratum stratum) {
     const F cosine = dot(light.direction, ns);
     const auto f = evaluateLanes<W, K>(b, first, light.direction, ns, cosine, lanesOf(lanes));
     lanes = lanes && f.pdf > 0.f;
+    if constexpr (K.split && !K.mixed)
+      if (b.t.residual_only) lanes = lanes && light.closed_form == 0.f;
     ray.segment = light.segment, ray.reach = light.reach;
     ray.slot = load<W>(&p.slot[first]);
     ray.pdf_light = light.pdf, ray.pdf_bsdf = select(light.delta > 0.f, 0.f, f.pdf);

@@ -79,7 +79,7 @@ struct PathResults {
   ColorPlanes<Channels> before, carried;  // of paths split at their second vertex, see endsAtKnownLight()
   std::array<Rgb, kBatchRoom> suffix_albedo;
   std::array<std::uint64_t, kBatchRoom> suffix_cell;
-  std::array<bool, kBatchRoom> touched;  // whether a ray met a box of Tracing::moved
+  std::array<bool, kBatchRoom> touched;  // whether a ray may find something else before Tracing::moved
 };
 
 }  // namespace saccade

@@ -20,6 +20,7 @@ struct PathMemory {
 struct NewPath {
   PathSampler sampler;
   std::uint32_t owner = 0;
+  bool touched = false;  // see PathResults
 };
 
 // Takes paths, and tells what each has found in the order in which they were added.
@@ -33,7 +34,7 @@ class PathRun {
     if (memory_->now.count == kBatchPaths) finish();
     const auto slot = static_cast<std::uint32_t>(memory_->now.count);
     memory_->owners[slot] = path.owner;
-    clear(slot);
+    clear(slot, path.touched);
     stages_.begin(start, path.sampler, slot, memory_->now);
   }
 
@@ -48,7 +49,7 @@ class PathRun {
       now.reversed_index[slot] = own.sampler.reversed_index, now.path_key[slot] = own.sampler.key,
       now.slot[slot] = slot;
       memory_->owners[slot] = own.owner;
-      clear(slot++);
+      clear(slot++, own.touched);
     });
   }
 
@@ -68,13 +69,13 @@ class PathRun {
     return instructionSet() == InstructionSet::kAvx512 ? batchTracerAvx512<C>(S.extras, kSplit)
                                                        : batchTracerAvx2<C>(S.extras, kSplit);
   }
-  void clear(std::uint32_t slot) {
+  void clear(std::uint32_t slot, bool touched) {
     PathResults<C>& r = memory_->results;
     const Color<C> black;
     r.radiance.set(slot, black);
     if constexpr (kSplit) {
       r.unoccluded.set(slot, black), r.visible.set(slot, black), r.mis_weighted.set(slot, black);
-      r.suffix_cell[slot] = 0, r.touched[slot] = false;
+      r.suffix_cell[slot] = 0, r.touched[slot] = touched;
     }
   }
 

@@ -87,11 +87,9 @@ class ShadowRays {
 
   void trace() {
     Entries e;
-    LaneSet open = LaneSet::first(queue_.take(e));
+    const LaneSet all = LaneSet::first(queue_.take(e));
     setRays<W>(e, e[6], packet_);
-    markTouched<W>(b_, packet_, open, std::bit_cast<Uints<W>>(e[7]));
-    b_.t.scene.geometry().template occluded<W>(packet_, open);
-    open = open - lanesOf(load<W>(packet_.far) < 0.f);
+    const LaneSet open = b_.t.moved ? openOfBoth(all, e) : openOf(all);
     if (has_panes_) {
       unblocked_.push(open, e);
       if (unblocked_.full()) traceThrough();
@@ -99,6 +97,33 @@ class ShadowRays {
     }
     const Unpacked rays(e);
     forEachLane(open, [&](int i) { add(rays, i, Color<C>(1.f), rays.weight[i]); });
+  }
+
+  // Those that nothing blocks.
+  LaneSet openOf(LaneSet rays) {
+    b_.t.scene.geometry().template occluded<W>(packet_, rays);
+    return notBlocked(rays);
+  }
+  LaneSet notBlocked(LaneSet rays) const { return rays - lanesOf(load<W>(packet_.far) < 0.f); }
+
+  // The same. Marks the paths of rays that arrive in this frame alone, or in the frame before alone. Asks the
+  // shapes that stand once for both.
+  LaneSet openOfBoth(LaneSet rays, const Entries& e) {
+    const PosedShapes shapes = b_.t.scene.geometry();
+    shapes.still().template occluded<W>(packet_, rays);
+    rays = notBlocked(rays);
+    if (!rays.any()) return rays;
+    const auto slots = std::bit_cast<Uints<W>>(e[7]);
+    LaneSet met = notTouched<W>(b_, rays & b_.t.moved->metBy(packet_), slots);
+    // Direct light in closed form that diffuse surfaces reflect is known otherwise.
+    if constexpr (K.split && !K.mixed) met = met - lanesOf(e[10 + 2 * C] > 0.f);
+    const LaneSet before = met - b_.t.moved->blockedBefore(packet_, met);
+    shapes.bodies()->template occluded<W>(packet_, rays);
+    rays = notBlocked(rays);
+    const LaneSet now = met & rays;
+    // Panes of bodies may dim those that arrive in both.
+    markTouched<W>(b_, has_panes_ ? now | before : (now | before) - (now & before), slots);
+    return rays;
   }
 
   // The panes and masks in the way of rays that nothing else blocks.

@@ -24,6 +24,9 @@ struct Tracing {
   bool images_apart = false;
   // Asks which paths PathResults::touched; nullptr: none.
   const MovedBodies* moved = nullptr;
+  // Of split paths only what is not direct light in closed form counts: where all surfaces are diffuse, it is
+  // left out.
+  bool residual_only = false;
 
   // Of which the vertex takes samples that chose a direction.
   LightSet lightsOf(bool first_vertex) const {

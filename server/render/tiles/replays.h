@@ -1,5 +1,5 @@
-// Replays the paths of a frame at the same points of surfaces in the world of the frame before, see
-// SurfaceSamples::replays().
+// Replays the touched paths of a frame at the same points of surfaces in the world of the frame before, for
+// SurfaceSamples::changes().
 #pragma once
 
 #include "render/camera/pixel_context.h"
@@ -42,21 +42,21 @@ class CarriedStarts {
 
 // Points whose light is not shared have pairs of paths instead, see pairs.h.
 template <Shading S, int C>
-void renderReplayTile(const PixelContext& view, const MovedBodies& moved, const SeedPlan& seeds,
-                      const Tracing& before, Tile tile, const SurfaceStarts& starts, Frame& out) {
+void renderReplayTile(const PixelContext& view, const MovedBodies& moved, const TouchedPaths& touched,
+                      const SeedPlan& seeds, const Tracing& before, Tile tile, const SurfaceStarts& starts,
+                      Frame& out) {
   SurfaceSamples& on = *out.surfaces;
-  if (!hasPaths(on, tile)) return;
-  const auto differs = [&](std::uint32_t i) { return on[i].touched && on[i].kind != SurfaceKind::kNone; };
-  forEachPixel(tile, [&](int x, int y) {
-    for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
-      const std::size_t i = on.indexOf(column, y);
-      on.replays()[i] = on.light(i);
-    }
-  });
-  tracePoints<S, C>(seeds, before, tile, starts, on, differs, CarriedStarts(view, moved, starts),
-                    [&](std::uint32_t i, const ReflectedLight& sum) {
-                      on.replays()[i] = lightOf(sum, on[i].paths, starts.base(i), starts.albedo(i));
-                    });
+  const auto differs = [&](std::uint32_t i, std::uint32_t path) {
+    return on[i].kind != SurfaceKind::kNone && touched.has(i, path);
+  };
+  const auto add = [&](std::uint32_t i, const PathResults<C>& found, std::uint32_t slot, double& sum) {
+    sum += residualOf(found, slot, starts.base(i));
+  };
+  tracePoints<S, C, double>(seeds, before, tile, starts, on, differs, CarriedStarts(view, moved, starts), add,
+                            [&](std::uint32_t i, double light) {
+                              const double change = (touched.light(i) - light) / on[i].paths;
+                              on.changes()[i] = static_cast<float>(change) / starts.albedo(i);
+                            });
 }
 
 }  // namespace saccade

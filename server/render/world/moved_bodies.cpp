@@ -41,6 +41,7 @@ std::vector<ShapeBox> joined(std::vector<ShapeBox> boxes) {
 
 MovedBodies::MovedBodies(const PosedScene& now, const PosedScene& before) {
   if (!now.bodies()) return;
+  before_ = before.bodies();
   const Scene& scene = now.still().description();
   const PosedLamps* lamps = now.bodies()->lamps();
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

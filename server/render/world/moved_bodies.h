@@ -13,11 +13,13 @@ namespace saccade {
 class MovedBodies {
  public:
   MovedBodies() = default;  // none
+  // `before` stays as it is while rays are asked.
   MovedBodies(const PosedScene& now, const PosedScene& before);
 
   bool any() const { return any_; }
   bool includes(std::uint32_t body) const { return any() && body != kNoBody && moves_[body]; }
-  bool lampsMove() const { return lamps_move_; }  // whether one of them gives light
+  // Whether all paths from a body, or from kNoBody, may find other light.
+  bool touchAllFrom(std::uint32_t body) const { return lamps_move_ || includes(body); }
   // Around all that have shapes; of neighbours together where they are many.
   const std::vector<ShapeBox>& boxes() const { return boxes_; }
 
@@ -27,6 +29,16 @@ class MovedBodies {
     LaneSet met;
     for (const ShapeBox& box : wide_boxes_) met |= lanesThat<W>(rays, box);
     return met;
+  }
+  // The lanes among `lanes` in which a body was in the way of the ray before it ends. Does not change `rays`.
+  template <int W>
+  [[gnu::always_inline]] LaneSet blockedBefore(RayPacket<W>& rays, LaneSet lanes) const {
+    if (!lanes.any()) return {};
+    const Floats<W> far = load<W>(rays.far);
+    before_->all().template occluded<W>(rays, lanes);
+    const LaneSet blocked = lanes & lanesOf(load<W>(rays.far) < 0.f);
+    store(far, rays.far);
+    return blocked;
   }
 
  private:
@@ -45,9 +57,11 @@ class MovedBodies {
     return lanesOf(first <= last);
   }
 
+  const PosedBodies* before_ = nullptr;
   std::vector<char> moves_;                   // by body
   std::vector<ShapeBox> boxes_, wide_boxes_;  // wide: with room for rounding
-  bool any_ = false, lamps_move_ = false;
+  bool any_ = false;
+  bool lamps_move_ = false;  // whether one of them gives light
 };
 
 }  // namespace saccade

@@ -13,6 +13,9 @@ class PosedShapes {
   // `bodies`: nullptr where there are none.
   PosedShapes(const EmbreeScene& still, const EmbreeInstances* bodies) : still_(still), bodies_(bodies) {}
 
+  const EmbreeScene& still() const { return still_; }
+  const EmbreeInstances* bodies() const { return bodies_; }
+
   // See EmbreeTracer.
   Hit intersect(const Ray& ray) const {
     Hit hit = still_.intersect(ray);
