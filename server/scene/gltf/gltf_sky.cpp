@@ -2,6 +2,7 @@
 
 #include "scene/gltf/gltf_lights.h"
 #include "scene/gltf/gltf_nodes.h"
+#include "scene/sky/sky_picture.h"
 
 namespace saccade {
 namespace {
@@ -21,11 +22,8 @@ void addSky(const GltfFile& file, FileLoads& loads, Scene& scene) {
   scene.environment = Environment{checkedLight(*sky, {r, g, b}), {}, turnOf(*sky)};
   const auto picture = sky->find("picture");
   if (!picture) return;
-  loads.add([at = *picture](const std::string& what) { return at.error(what); },
-            [&loads, &scene, path = file.locate(*picture, picture->text())] {
-              loads.takePixels(countPixels(path));
-              scene.environment->picture = loadPicture(path, PixelUse::kRadiance);
-            });
+  addSkyPicture([at = *picture](const std::string& what) { return at.error(what); },
+                file.locate(*picture, picture->text()), loads, scene);
 }
 
 }  // namespace saccade

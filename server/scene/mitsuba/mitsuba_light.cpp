@@ -8,6 +8,7 @@
 #include "scene/mitsuba/mitsuba_sky.h"
 #include "scene/mitsuba/mitsuba_transform.h"
 #include "scene/mitsuba/xml_properties.h"
+#include "scene/sky/sky_picture.h"
 
 namespace saccade {
 namespace {
@@ -24,10 +25,7 @@ void readEnvmap(const XmlFile& file, pugi::xml_node emitter, Properties& propert
   const Affine to_world = parseTransform(file, properties.object("transform", "to_world"));
   const std::string path = file.locate(emitter, properties.text("filename"));
   addEnvironment(file, emitter, scene, {{scale, scale, scale}, {}, orthonormal(file, emitter, to_world)});
-  loads.add(file.errorsAt(emitter), [&loads, &scene, path] {
-    loads.takePixels(countPixels(path));
-    scene.environment->picture = loadPicture(path, PixelUse::kRadiance);
-  });
+  addSkyPicture(file.errorsAt(emitter), path, loads, scene);
 }
 
 // By which objects are moved; empty where the file gives none.

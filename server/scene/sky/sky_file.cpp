@@ -8,6 +8,7 @@
 #include "scene/files/limits.h"
 #include "scene/files/scene_error.h"
 #include "scene/files/toml_file.h"
+#include "scene/sky/sky_picture.h"
 
 namespace saccade {
 namespace {
@@ -84,12 +85,9 @@ bool addSkyFile(const fs::path& scene_file, const LoadOptions& options, FileLoad
   scene.environment = Environment{sky.radiance(*table), {}, sky.turn(*table)};
   const toml::node* picture = table->get("picture");
   if (!picture) return true;
-  loads.add(
+  addSkyPicture(
       [fault = sky.error(*picture, "")](const std::string& what) { return SceneError(fault.what() + what); },
-      [&loads, &scene, path = sky.picture(*picture, options)] {
-        loads.takePixels(countPixels(path));
-        scene.environment->picture = loadPicture(path, PixelUse::kRadiance);
-      });
+      sky.picture(*picture, options), loads, scene);
   return true;
 }
 
