@@ -99,7 +99,7 @@ class ShadowRays {
     forEachLane(open, [&](int i) { add(rays, i, Color<C>(1.f), rays.weight[i]); });
   }
 
-  // Those that nothing blocks.
+  // Returns the rays that nothing blocks.
   LaneSet openOf(LaneSet rays) {
     b_.t.scene.geometry().template occluded<W>(packet_, rays);
     return notBlocked(rays);

@@ -37,7 +37,7 @@ class LampShadows {
     std::vector<RayRequest> few;
     std::array<std::vector<RayRequest>, 3> many;  // by RayNeed
   };
-  // Those of a request in which some rays of both frames arrive and others do not.
+  // Returns the groups of a request of which some rays arrive and others do not, in both frames together.
   std::uint32_t groupsThatDiffer(const RayRequest& request) const;
   void finish(std::size_t point, int rays, SurfaceShadow& shadow) const;
 
