@@ -96,8 +96,7 @@ void takeTexts(Texts texts, ResolvedStream& stream) {
 // Of the copy of all lamps that a feed keeps at one time where some move. A triangle is part of three tables.
 double lampBytes(const Scene& scene) {
   constexpr double kTriangleBytes = 400, kVertexBytes = 64;
-  const std::vector<char> gives_light = lampBodies(scene);
-  if (std::ranges::find(gives_light, true) == gives_light.end()) return 0;
+  if (!anyLampMoves(scene)) return 0;
   const std::size_t deltas =
       scene.point_lights.size() + scene.spot_lights.size() + scene.directional_lights.size();
   double bytes = kTriangleBytes * static_cast<double>(deltas);

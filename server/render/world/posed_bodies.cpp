@@ -1,7 +1,5 @@
 #include "render/world/posed_bodies.h"
 
-#include <algorithm>
-
 #include "base/content_hash.h"
 #include "render/world/mesh_point.h"
 #include "scene/motion/bodies.h"
@@ -18,8 +16,7 @@ PosedBodies::PosedBodies(const RenderScene& scene, const std::vector<Trajectory>
       straight_(partsOf(&BodyShapes::straight, &DeformedShapes::Trees::straight)) {
   const ShapeBox box = boxOf(scene.description());
   apart_ = 2 * length(box.high - box.low);
-  const std::vector<char> give_light = lampBodies(scene.description());
-  if (std::ranges::find(give_light, true) != give_light.end())
+  if (anyLampMoves(scene.description()))
     lamps_ = std::make_unique<PosedLamps>(scene.description(), scene.lights());
 }
 

@@ -97,6 +97,10 @@ std::vector<char> lampBodies(const Scene& scene) {
   return gives_light;
 }
 
+bool anyLampMoves(const Scene& scene) {
+  return std::ranges::count(lampBodies(scene), true) > 0;
+}
+
 void keepForms(Scene& scene, std::span<const std::string> names) {
   for (Mesh& mesh : scene.meshes)
     if (std::ranges::find(names, mesh.name) != names.end()) mesh.deformation = kKeepsForm;

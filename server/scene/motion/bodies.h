@@ -24,6 +24,7 @@ void setBodies(Scene& scene, std::span<const std::string> names);
 
 // By body, whether it gives light: as an emissive shape, a point, a spot or a sun.
 std::vector<char> lampBodies(const Scene& scene);
+bool anyLampMoves(const Scene& scene);  // whether a body does
 
 // Lets the shapes with one of these names keep the form that they have at stream time 0.
 void keepForms(Scene& scene, std::span<const std::string> names);
