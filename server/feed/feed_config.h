@@ -22,12 +22,16 @@ struct RefinementSettings {
   // Of a pixel, in the mean over a tile. Where pieces would exceed it, those nearest to their lines stay
   // whole.
   double most_updates = 8;
+  // Whether all shadow rays are traced at each moment. Otherwise those that KnownRays knows from the moments
+  // around are left out.
+  bool every_ray = false;
 };
 
 // Of an interval.
 struct RefinementCounts {
   std::size_t samples = 0;  // look-ups
   std::size_t unsplit = 0;  // pieces that found no room among most_updates
+  std::size_t rays = 0;     // shadow rays to lamps whose light has a closed form
 };
 
 struct FeedConfig {

@@ -20,6 +20,7 @@ struct Piece {
   std::uint8_t middle, half;  // moments; half: from the middle to either end
   float from, to;
   float off;  // how far the middle of the piece that this is half of is off its line; 0: this is a whole one
+  RaysAround rays = {};  // at both moments
 
   float line() const { return 0.5f * (from + to); }
 };
@@ -54,12 +55,15 @@ class PieceSampler {
  public:
   static constexpr std::size_t kMost = PointSampler::kMost;
 
-  // Sets I() of at most kMost pieces, all of one scene.
-  void look(const RefinedInterval& interval, Tile tile, std::span<const Piece> pieces) {
+  // Sets I() and rays() of at most kMost pieces, all of one scene. Returns how many rays it has traced.
+  std::size_t look(const RefinedInterval& interval, Tile tile, std::span<const Piece> pieces,
+                   KnownRays& known) {
     const std::size_t count = pieces.size();
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t k = 0; k < count; ++k) {
       asked_[k] = {static_cast<std::uint16_t>(tile.x0 + pieces[k].x),
                    static_cast<std::uint16_t>(tile.y0 + pieces[k].y), pieces[k].middle};
+      rays_[k] = pieces[k].rays;
+    }
     const auto asked = std::span(asked_).first(count);
     const PosedScene& scene = *interval.scenes[interval.scenes.size() == 1 ? 0 : pieces[0].middle];
     const PointView view{scene, interval.cameras, interval.motion};
@@ -67,8 +71,10 @@ class PieceSampler {
     const auto light = std::span(light_).first(count);
     sampler_.look(view, asked, samples);
     interval.light.readPoints(samples, light);
-    sampler_.traceShadows(view, asked, interval.shadows, light);
+    const LookedAt at{asked, samples, std::span(rays_).first(count)};
+    return sampler_.traceShadows(view, at, interval.shadows, known, light);
   }
+  const RaysAround& rays(std::size_t k) const { return rays_[k]; }
   // NaN where no look-up tells it.
   float I(std::size_t k) const {
     const PointSample& s = samples_[k];
@@ -83,6 +89,7 @@ class PieceSampler {
   std::array<PixelMoment, kMost> asked_;
   std::array<PointSample, kMost> samples_;
   std::array<PlaceLight, kMost> light_;
+  std::array<RaysAround, kMost> rays_;
   PointSampler sampler_;
 };
 
@@ -126,6 +133,8 @@ struct Memory {
   std::vector<float> off;
   UpdateGrid grid;
   PieceSampler sampler;
+  KnownRays known;
+  std::size_t rays;  // traced
 };
 
 // Looks up all pieces of `level`. Sets `next` to the halves of those whose middle is off the line.
@@ -134,7 +143,7 @@ void splitLevel(const RefinedInterval& interval, Tile tile, Memory& m) {
   if (moves) sortByMoment(m.level, m.next), std::swap(m.level, m.next);
   m.next.clear();
   forEachChunk(m.level, moves, [&](std::span<const Piece> pieces) {
-    m.sampler.look(interval, tile, pieces);
+    m.rays += m.sampler.look(interval, tile, pieces, m.known);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const float I = m.sampler.I(k);
       if (!std::isfinite(I)) continue;
@@ -146,8 +155,9 @@ void splitLevel(const RefinedInterval& interval, Tile tile, Memory& m) {
       const auto half = static_cast<std::uint8_t>(whole.half / 2);
       const auto first = static_cast<std::uint8_t>(whole.middle - half);
       const auto second = static_cast<std::uint8_t>(whole.middle + half);
-      m.next.push_back({whole.x, whole.y, first, half, whole.from, L, off});
-      m.next.push_back({whole.x, whole.y, second, half, L, whole.to, off});
+      const RaysAround rays = interval.every_ray ? RaysAround{} : m.sampler.rays(k);
+      m.next.push_back({whole.x, whole.y, first, half, whole.from, L, off, {rays.before, rays.own}});
+      m.next.push_back({whole.x, whole.y, second, half, L, whole.to, off, {rays.own, rays.after}});
     }
   });
 }
@@ -164,12 +174,13 @@ void keepFurthest(std::size_t room, Memory& m) {
 }  // namespace
 
 void RefinedTile::refine(const RefinedInterval& interval, Tile tile, int levels, int reach) {
-  updates_.clear(), samples_ = unsplit_ = 0;
+  updates_.clear(), samples_ = unsplit_ = rays_ = 0;
   const Scratch<Memory> memory;
   Memory& m = *memory;
   m.level.clear();
   listPieces(interval, tile, findRanges(interval.L0, interval.L1, tile, reach, interval.contrast), m.level);
   if (m.level.empty()) return;
+  m.known.clear(), m.rays = 0;
   const int moments = 1 << interval.levels;
   m.grid.clear(moments);
   const auto most =
@@ -182,6 +193,7 @@ void RefinedTile::refine(const RefinedInterval& interval, Tile tile, int levels,
     samples_ += m.level.size();
     splitLevel(interval, tile, m);
   }
+  rays_ = m.rays;
   const int width = interval.L0.width();
   m.grid.forEach(moments, [&](int moment, int x, int y, float I) {
     updates_.push_back({static_cast<std::uint32_t>((tile.y0 + y) * width + tile.x0 + x),

@@ -31,6 +31,7 @@ struct RefinedInterval {
   float contrast;       // of the range that a change needs
   float enough;         // distance from the line that needs no further piece
   double most_updates;  // see RefinementSettings
+  bool every_ray;       // likewise
 };
 
 class RefinedTile {
@@ -42,10 +43,11 @@ class RefinedTile {
   const std::vector<IntensityUpdate>& updates() const { return updates_; }
   std::size_t samples() const { return samples_; }  // look-ups, of known light or not
   std::size_t unsplit() const { return unsplit_; }  // pieces that found no room
+  std::size_t rays() const { return rays_; }        // see RefinementCounts
 
  private:
   std::vector<IntensityUpdate> updates_;
-  std::size_t samples_ = 0, unsplit_ = 0;
+  std::size_t samples_ = 0, unsplit_ = 0, rays_ = 0;
 };
 
 }  // namespace saccade

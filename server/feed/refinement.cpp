@@ -72,7 +72,8 @@ std::chrono::nanoseconds Refinement::refine(const Interval& interval, const Pool
                                 .bias = static_cast<float>(settings_.bias),
                                 .contrast = static_cast<float>(kRange * settings_.threshold),
                                 .enough = static_cast<float>(kOffLine * settings_.threshold),
-                                .most_updates = settings_.most_updates};
+                                .most_updates = settings_.most_updates,
+                                .every_ray = settings_.every_ray};
   time += pool.run(across_ * down_, [&](int i) {
     const int x = i % across_ * kTileEdge, y = i / across_ * kTileEdge;
     const Tile tile{x, y, std::min(x + kTileEdge, width_), std::min(y + kTileEdge, height_)};
@@ -142,7 +143,10 @@ void Refinement::setMoments(const Interval& interval, int levels, const Intensit
 
 // The updates of all tiles, by time and then by pixel, as those of each tile are.
 void Refinement::join(IntensityChange& change) {
-  for (const RefinedTile& tile : tiles_) counts_.samples += tile.samples(), counts_.unsplit += tile.unsplit();
+  for (const RefinedTile& tile : tiles_) {
+    counts_.samples += tile.samples(), counts_.unsplit += tile.unsplit();
+    counts_.rays += tile.rays();
+  }
   std::ranges::fill(joined_, 0);
   const auto pieces = static_cast<float>(cameras_.size());
   for (std::size_t moment = 1; moment < cameras_.size(); ++moment) {

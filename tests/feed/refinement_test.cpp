@@ -143,6 +143,26 @@ TEST_F(RefinementTest, LearnsWithoutABake) {
   EXPECT_LT(beside, 0.02 * static_cast<double>(feed.change().updates.size()));
 }
 
+// Few rays end otherwise between two moments at which they end alike.
+TEST_F(RefinementTest, TracesTheRaysThatChange) {
+  FeedConfig every = config();
+  every.refinement->every_ray = true;
+  Feed feed(scene, path(), config(), pool), all(scene, path(), every, pool);
+  std::size_t rays = 0, all_rays = 0, common = 0, other = 0;
+  for (int t = 0; t < 4; ++t) {
+    std::map<std::pair<float, std::uint32_t>, float> I;
+    for (const IntensityUpdate& u : all.step(pool).updates) I[{u.at, u.pixel}] = u.I;
+    for (const IntensityUpdate& u : feed.step(pool).updates)
+      if (const auto found = I.find({u.at, u.pixel}); found != I.end())
+        ++common, other += std::abs(u.I - found->second) > 1e-4f * u.I;
+    rays += feed.refined().rays, all_rays += all.refined().rays;
+  }
+  EXPECT_GT(all_rays, 200u);
+  EXPECT_LT(rays, 0.9 * static_cast<double>(all_rays));
+  EXPECT_GT(common, 1000u);
+  EXPECT_LT(other, 0.01 * static_cast<double>(common));
+}
+
 TEST_F(RefinementTest, AStandingCameraHasNone) {
   Feed feed(scene, path(0), baked(), pool);
   for (int t = 0; t < 3; ++t) {

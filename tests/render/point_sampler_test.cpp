@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "base/instruction_set.h"
 #include "render/renderer.h"
@@ -120,35 +122,58 @@ TEST_F(PointSamplerTest, FindsItThroughALens) {
   expectThoseOfFrames();
 }
 
-// A card covers a part of a lamp. A point has the visibility of its pixel in a frame, by the same rays; and
-// where the penumbra ends it is 0 or 1.
-TEST(PointShadows, AreThoseOfFrames) {
-  constexpr float kHalf = 0.1f;
-  Scene s = test::floorFromAbove(0.5f);
-  s.meshes.push_back(test::quad({-kHalf, -kHalf, 2}, {0, 2 * kHalf, 0}, {2 * kHalf, 0, 0}, 0, {9, 9, 9}));
-  s.meshes.push_back(test::quad({-4, -60, 1}, {4, 0, 0}, {0, 120, 0}, 0));
-  const PosedScene scene(std::make_shared<RenderScene>(std::move(s)));
-  constexpr int kPixels = 64;
-  const std::vector<Camera> cameras{Camera({{0, 0, 0.9}, {1, 0, 0, 0}}, pinhole(26, kPixels, 3))};
-  const PixelContext view({scene, cameras[0]});
-  TilePool pool(2);
-  Renderer renderer({});
-  Frame before(kPixels, 3, 1), end(kPixels, 3, 1);
-  for (Frame* frame : {&before, &end}) renderer.renderSurfaces(view, pool, *frame);
-  for (SurfaceShadow& shadow : end.surfaces->shadows()) shadow.wanted = 0.5f;
-  end.surfaces->setWantShadows(true);
-  renderer.traceShadows(view, 2, end, before, pool);
+// A card covers a part of a lamp. Moments of the camera are 3/16 of a pixel apart.
+struct PointShadows : testing::Test {
+  static constexpr float kHalf = 0.1f;
+  static constexpr int kPixels = 64;
 
-  std::vector<PixelMoment> asked;
-  for (std::uint16_t x = 0; x < kPixels; ++x) asked.push_back({x, 1, 0});
-  std::vector<PointSample> points(kPixels);
-  const PointView at{scene, cameras};
+  static Scene cardUnderALamp() {
+    Scene s = test::floorFromAbove(0.5f);
+    s.meshes.push_back(test::quad({-kHalf, -kHalf, 2}, {0, 2 * kHalf, 0}, {2 * kHalf, 0, 0}, 0, {9, 9, 9}));
+    s.meshes.push_back(test::quad({-4, -60, 1}, {4, 0, 0}, {0, 120, 0}, 0));
+    return s;
+  }
+  PointShadows() {
+    const double pixel = 2 * 0.9 * std::tan(13 * std::numbers::pi / 180) / kPixels;
+    for (const int k : {0, 1, 2})
+      cameras.emplace_back(Pose{{k * pixel * 3 / 16, 0, 0.9}, {1, 0, 0, 0}}, pinhole(26, kPixels, 3));
+    const PixelContext view({scene, cameras[0]});
+    for (Frame* frame : {&before, &end}) renderer.renderSurfaces(view, pool, *frame);
+    for (SurfaceShadow& shadow : end.surfaces->shadows()) shadow.wanted = 0.5f;
+    end.surfaces->setWantShadows(true);
+    renderer.traceShadows(view, 2, end, before, pool);
+  }
+  // Looks up the middle row at a moment, with `rays` around it by pixel. Rays cannot tell of pixel 0. Returns
+  // how many it traces.
+  std::size_t lookAt(std::uint32_t moment, std::vector<RaysAround>& rays) {
+    std::vector<PixelMoment> asked;
+    for (std::uint16_t x = 0; x < kPixels; ++x) asked.push_back({x, 1, moment});
+    const PointView view{scene, cameras};
+    sampler.look(view, asked, points);
+    std::ranges::fill(light, PlaceLight{.known = true, .visibility = 0.5f, .shadow = 1});
+    light[0].shadow = 0;
+    const EndShadows ends{*end.surfaces, *before.surfaces, renderer.shadowRays(), 2};
+    return sampler.traceShadows(view, {asked, points, rays}, ends, known, light);
+  }
+
+  const PosedScene scene{std::make_shared<RenderScene>(cardUnderALamp())};
+  std::vector<Camera> cameras;
+  TilePool pool{2};
+  Renderer renderer{{}};
+  Frame before{kPixels, 3, 1}, end{kPixels, 3, 1};
   PointSampler sampler;
-  sampler.look(at, asked, points);
-  std::vector<PlaceLight> light(kPixels, {.known = true, .visibility = 0.5f, .shadow = 1});
-  light[0].shadow = 0;
-  sampler.traceShadows(at, asked, {*end.surfaces, *before.surfaces, renderer.shadowRays(), 2}, light);
+  KnownRays known;
+  std::vector<PointSample> points{kPixels};
+  std::vector<PlaceLight> light{kPixels};
+};
+
+// A point has the visibility of its pixel in a frame, by the same rays; and where the penumbra ends it is 0
+// or 1.
+TEST_F(PointShadows, AreThoseOfFrames) {
+  std::vector<RaysAround> none(kPixels);
+  lookAt(0, none);
   EXPECT_EQ(light[0].visibility, 0.5f) << "rays cannot tell it";
+  EXPECT_EQ(none[0].own, KnownRays::kNone);
   int between = 0;
   for (int x = 1; x < kPixels; ++x) {
     const auto k = static_cast<std::size_t>(x);
@@ -159,6 +184,21 @@ TEST(PointShadows, AreThoseOfFrames) {
     between += light[k].visibility > 0.05f && light[k].visibility < 0.95f;
   }
   EXPECT_GT(between, 10);
+}
+
+// The edge of a card passes each ray once. So a ray that ends alike before and after does so between, and no
+// light is lost with it.
+TEST_F(PointShadows, RaysThatEndAlikeBeforeAndAfterAreNotTraced) {
+  std::vector<RaysAround> first(kPixels), last(kPixels), middle(kPixels), none(kPixels);
+  lookAt(0, first), lookAt(2, last);
+  const std::size_t all = lookAt(1, none);
+  const std::vector<PlaceLight> truth = light;
+  for (std::size_t k = 0; k < kPixels; ++k) middle[k] = {first[k].own, last[k].own};
+  const std::size_t traced = lookAt(1, middle);
+  for (std::size_t k = 0; k < kPixels; ++k) EXPECT_NEAR(light[k].visibility, truth[k].visibility, 1e-6f) << k;
+  EXPECT_GT(all, 200u);
+  EXPECT_GT(traced, 0u);
+  EXPECT_LT(traced, all / 20);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct Measured {
 };
 
 RefinementSettings everywhere(RefinementSettings settings) {
-  settings.threshold = 1e-9, settings.most_updates = 1e9;
+  settings.threshold = 1e-9, settings.most_updates = 1e9, settings.every_ray = true;
   return settings;
 }
 
@@ -74,6 +74,7 @@ class RefineBench {
       refined_.step(pool_);
       result.samples += static_cast<double>(refined_.feed.refined().samples);
       result.unsplit += static_cast<double>(refined_.feed.refined().unsplit);
+      result.rays += static_cast<double>(refined_.feed.refined().rays);
       if (interrupted()) throw Interrupted{};
     }
     const Events& truth = truth_.all.events();

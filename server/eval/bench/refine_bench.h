@@ -20,8 +20,8 @@ struct RefineResult {
   // CPU seconds of the refined feed, of one with all fine frames, and of one with two frames to an interval.
   // `look_ups_s`: of all fine frames without a filter.
   double refined_s = 0, fine_s = 0, look_ups_s = 0, halves_s = 0;
-  double samples = 0, unsplit = 0;  // see RefinementCounts, sums
-  double events = 0;                // of the truth, which looks up all pixels at all fine times
+  double samples = 0, unsplit = 0, rays = 0;  // see RefinementCounts, sums
+  double events = 0;                          // of the truth, which looks up all pixels at all fine times
   // Against it, in windows of an interval. `look_up_errors`: of fine frames without a filter; `half_errors`:
   // of every half interval of the truth.
   WindowErrors refined_errors, look_up_errors, half_errors;

@@ -1,4 +1,5 @@
 // `saccade-eval refine` measures refined intervals against frames.
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
@@ -41,8 +42,9 @@ void print(const RefineResult& r, const RefineCommand& o) {
       "interval\n",
       r.refined_s / r.fine_s, r.refined_s / r.look_ups_s, r.refined_s / r.halves_s);
   std::printf(
-      "looked up %.4f of pixels and fine frames beside whole frames (%.4f); without room %.0f pieces\n",
-      r.samples / pixels / frames, 1. / o.pieces, r.unsplit);
+      "looked up %.4f of pixels and fine frames beside whole frames (%.4f), with %.2f rays each; "
+      "without room %.0f pieces\n",
+      r.samples / pixels / frames, 1. / o.pieces, r.rays / std::max(r.samples, 1.), r.unsplit);
   const auto row = [&](const char* name, const WindowErrors& e) {
     std::printf("%-24s false %.4f, missed %.4f, time error %.3f fine frames\n", name, e.false_share,
                 e.missed_share, e.time * o.pieces);

@@ -105,39 +105,53 @@ PointSampler::RayPlan PointSampler::planRays(const PixelMoment& at, const EndSha
   return plan;
 }
 
-void PointSampler::traceShadows(const PointView& view, std::span<const PixelMoment> asked,
-                                const EndShadows& ends, std::span<PlaceLight> light) {
+RayFacet PointSampler::facetOf(std::size_t k, const PointSample& point) const {
+  RayFacet facet{point.place.position, {}, point.place.footprint};
+  withStart(k, [&](const auto& start) { facet.normal = litPoint(start).geometric_normal; });
+  return facet;
+}
+
+std::size_t PointSampler::traceShadows(const PointView& view, const LookedAt& at, const EndShadows& ends,
+                                       KnownRays& known, std::span<PlaceLight> light) {
   const int groups = ends.rays.groups();
-  if (!ends.now.wantShadows() || groups == 0) return;
+  if (!ends.now.wantShadows() || groups == 0) return 0;
   bool any = false;
-  for (std::size_t k = 0; k < asked.size(); ++k)
-    plans_[k] = planRays(asked[k], ends, light[k]), any = any || plans_[k].wanted > 0;
-  if (!any) return;
-  withKernel(view.scene.still().shading(), [&]<Shading S>() { traceAs<S>(view, asked, groups); });
-  for (std::size_t k = 0; k < asked.size(); ++k) {
+  for (std::size_t k = 0; k < at.asked.size(); ++k)
+    plans_[k] = planRays(at.asked[k], ends, light[k]), any = any || plans_[k].wanted > 0;
+  if (!any) return 0;
+  const std::size_t traced = withKernel(view.scene.still().shading(),
+                                        [&]<Shading S>() { return traceAs<S>(view, at, groups, known); });
+  for (std::size_t k = 0; k < at.asked.size(); ++k) {
     const RayPlan& plan = plans_[k];
     if (plan.wanted == 0) continue;
     const auto of_groups = static_cast<std::size_t>(groups);
+    at.rays[k].own = known.add(facetOf(k, at.points[k]), std::span(bits_).subspan(k * of_groups, of_groups));
     const LampSums sums{std::span(rays_).subspan(k * of_groups, of_groups)};
     const float left = varianceOfRays(sums.relativeVariance(sums.mixed2), plan.rays);
     if (!plan.at_ends && plan.wanted < kLeastRayGain * left) continue;
     const RayVisibility by_rays = sums.visibility(plan.wanted, sums.variance);
     light[k].visibility += by_rays.trust * (by_rays.mean - light[k].visibility);
   }
+  return traced;
 }
 
 template <Shading S>
-void PointSampler::traceAs(const PointView& view, std::span<const PixelMoment> asked, int groups) {
-  LampRayTracer<S> tracer(view.scene, rays_);
-  for (std::size_t k = 0; k < asked.size(); ++k) {
+std::size_t PointSampler::traceAs(const PointView& view, const LookedAt& at, int groups,
+                                  const KnownRays& known) {
+  LampRayTracer<S> tracer(view.scene, rays_, bits_);
+  for (std::size_t k = 0; k < at.asked.size(); ++k) {
     if (plans_[k].wanted == 0) continue;
+    const RaysAround around = at.points[k].light_moves ? RaysAround{} : at.rays[k];
+    const KnownRays::Bits between = known.between(around.before, around.after, facetOf(k, at.points[k]));
+    const RayNumbers numbers(at.asked[k].x, at.asked[k].y);
     const std::size_t first = k * static_cast<std::size_t>(groups);
-    std::fill_n(&rays_[first], groups, LampRays{});
+    std::fill_n(&rays_[first], groups, LampRays{}), std::fill_n(&bits_[first], groups, RayBits{});
     withStart(k, [&](const auto& start) {
-      tracer.add(start, first, (1u << groups) - 1, plans_[k].rays, RayNumbers(asked[k].x, asked[k].y));
+      tracer.add(start, first, (1u << groups) - 1, plans_[k].rays, numbers, between.data());
     });
   }
   tracer.finish();
+  return tracer.traced();
 }
 
 }  // namespace saccade

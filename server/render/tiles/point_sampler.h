@@ -7,6 +7,7 @@
 
 #include "frame/point_samples.h"
 #include "render/primary/ray_block.h"
+#include "render/tiles/known_rays.h"
 #include "render/tiles/lamp_rays.h"
 #include "render/tiles/surface_place.h"
 
@@ -26,6 +27,18 @@ struct EndShadows {
   int spp;                // as of LampShadows
 };
 
+// Rays of a pixel at moments before and after a point's, and then its own: numbers of KnownRays.
+struct RaysAround {
+  std::uint32_t before = KnownRays::kNone, after = KnownRays::kNone, own = KnownRays::kNone;
+};
+
+// Points of PointSampler::look().
+struct LookedAt {
+  std::span<const PixelMoment> asked;
+  std::span<const PointSample> points;
+  std::span<RaysAround> rays;
+};
+
 class PointSampler {
  public:
   static constexpr std::size_t kMost = 256;  // points at once
@@ -34,9 +47,10 @@ class PointSampler {
   void look(const PointView& view, std::span<const PixelMoment> asked, std::span<PointSample> out);
   // Traces shadow rays at the points of the last look(), where `light` asks for some. Takes them into its
   // visibility, as far as they are trusted. A point has the rays of its pixel at the ends of the interval,
-  // with the same numbers.
-  void traceShadows(const PointView& view, std::span<const PixelMoment> asked, const EndShadows& ends,
-                    std::span<PlaceLight> light);
+  // with the same numbers. Those that are known from the rays around it are not traced. Adds its own to
+  // `known`, and returns how many it has traced.
+  std::size_t traceShadows(const PointView& view, const LookedAt& at, const EndShadows& ends,
+                           KnownRays& known, std::span<PlaceLight> light);
 
  private:
   template <Shading S>
@@ -45,7 +59,8 @@ class PointSampler {
   void addDeltaLight(const PointView& view, std::span<const PixelMoment> asked,
                      std::span<PointSample> out) const;
   template <Shading S>
-  void traceAs(const PointView& view, std::span<const PixelMoment> asked, int groups);
+  std::size_t traceAs(const PointView& view, const LookedAt& at, int groups, const KnownRays& known);
+  RayFacet facetOf(std::size_t k, const PointSample& point) const;
   void lookPlain(const PointView& view, std::size_t first, std::span<PointSample> out);
   // f(where the light of point k starts).
   void withStart(std::size_t k, const auto& f) const;
@@ -63,6 +78,7 @@ class PointSampler {
 
   std::array<RayPlan, kMost> plans_;
   std::array<LampRays, kMost * AnalyticLight::kMaxGroups> rays_;
+  std::array<RayBits, kMost * AnalyticLight::kMaxGroups> bits_;
 };
 
 }  // namespace saccade

@@ -8,9 +8,10 @@ namespace saccade {
 
 struct ShadowRay {
   Vec3 origin, segment;
-  float reach;          // its end, in lengths of the segment
-  std::uint32_t owner;  // who asks
-  float weight = 1;     // of its light
+  float reach;            // its end, in lengths of the segment
+  std::uint32_t owner;    // who asks
+  float weight = 1;       // of its light
+  std::uint32_t bit = 0;  // see RayBits
 };
 
 // Calls on_end(ray, fraction) for each ray, in the order in which they were added. The fraction is that of
