@@ -145,7 +145,12 @@ class Browser(unittest.TestCase):
         self.run_js("document.body.dispatchEvent(new KeyboardEvent(...arguments))", kind, {"key": key, "bubbles": True})
 
     def test_it_records_the_events_that_its_command_gives(self):
-        self.open(TINY)
+        for rate in ("rate=500", "rate=0"):  # 0: with intervals that follow the motion
+            with self.subTest(rate):
+                self.check_recording(TINY.replace("rate=500", rate))
+
+    def check_recording(self, fragment):
+        self.open(fragment)
         self.wait_for("saccade.meters.events > 0")
         self.run_js("document.getElementById('record').click()")
         self.wait_for("saccade.recorder.events > 1000")
@@ -161,7 +166,8 @@ class Browser(unittest.TestCase):
             subprocess.run([SACCADE, *words[1:], "--control", self.server.control], check=True, capture_output=True)
             kept = [row for row in rows_of(folder / "all.csv") if begin * 1e6 <= row[0] < end * 1e6]
             said, asked = plain(json.loads((folder / "all.csv.json").read_text())["request"]), plain(request)
-            self.assertEqual(said["timing"].pop("frame_rate_hz"), asked["timing"].pop("frame_rate_hz"))
+            for of_the_events in ("frame_rate_hz", "interval_px", "max_rate_hz", "refinement"):
+                self.assertEqual(said["timing"].get(of_the_events), asked["timing"].get(of_the_events))
             for of_the_clock in ("timing", "delivery"):
                 said.pop(of_the_clock, None), asked.pop(of_the_clock, None)
             self.assertEqual(said, asked)

@@ -19,6 +19,15 @@ test("the command has each setting that changes events", () => {
   assert.ok(preset.includes("--duration 3.212 --preset davis346 --bias"), preset); // 1606 frames of 2 ms
 });
 
+test("frames have intervals that follow the motion, in the stream and in the command", () => {
+  const { frameRateHz, intervalPx } = openStreamOf({ ...DEFAULTS, rate: 0 }).timing;
+  assert.deepStrictEqual([frameRateHz, intervalPx], [100, 1]);
+  const line = recordLineOf({ ...DEFAULTS, scene: "box", rate: 0 }, 3.21049);
+  assert.ok(line.includes(" --min-rate 100 --duration 3.22 "), line); // 322 frames of 10 ms
+  const whole = openStreamOf(fromFragment("#rate=500")).timing;
+  assert.deepStrictEqual([whole.frameRateHz, whole.intervalPx], [500, undefined]);
+});
+
 test("the first scene is one that moves, before a camera that stands, and no other stands with its camera", () => {
   const trajectories = ["right", "still"];
   const box = { name: "box", trajectories, objects: [{ name: "block", motion: "" }] };

@@ -20,7 +20,7 @@ export class Form {
   constructor(form, settings, changed) {
     Object.assign(this, { form, settings, scenes: [], broadcasts: null });
     form.size.append(...SIZES.map((size) => option(size, size.replace("x", " × "))));
-    form.rate.append(...RATES.map((rate) => option(rate, `${rate} Hz`)));
+    form.rate.append(option(0, "follows the motion"), ...RATES.map((rate) => option(rate, `${rate} Hz`)));
     form.colours.append(...Object.entries(PALETTES).map(([name, { label }]) => option(name, label)));
     form.addEventListener("input", ({ target }) => {
       this.read(target);

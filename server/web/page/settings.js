@@ -10,7 +10,7 @@ export const DEFAULTS = {
   object: "", // of the scene, that moves in another way than the scene says
   path: "spin:45", // of that object, one of PATHS
   size: "160x120",
-  rate: 200, // frames per second of stream time
+  rate: 200, // frames per second of stream time; 0: 100, with intervals that follow the motion
   duration: 0, // seconds of stream time; 0: until the page leaves. It has no control
   speed: 0.25, // stream seconds per second
   preset: "", // the sensor of a known camera, instead of C
@@ -77,6 +77,9 @@ function objectPathOf(path) {
   return { motion: { kind: "OBJECT_MOTION_KIND_" + kind.toUpperCase(), speed: Number(speed) } };
 }
 
+// Of a Timing of control.proto. Motions in pixels per frame need a number of frames.
+export const frameTimesOf = ({ rate }) => (rate === 0 ? { frameRateHz: 100, intervalPx: 1 } : { frameRateHz: rate });
+
 // An OpenStream of control.proto.
 export function openStreamOf(settings) {
   const [width, height] = settings.size.split("x").map(Number);
@@ -91,7 +94,7 @@ export function openStreamOf(settings) {
     trajectory,
     ...(settings.animation && { animation: settings.animation }),
     ...(settings.object && { objects: [{ name: settings.object, path: objectPathOf(settings.path) }] }),
-    timing: { frameRateHz: settings.rate, durationS: settings.duration, clock: "CLOCK_PACED", speed: settings.speed,
+    timing: { ...frameTimesOf(settings), durationS: settings.duration, clock: "CLOCK_PACED", speed: settings.speed,
       minSpeed: Math.min(SLOWEST, settings.speed), steerable: settings.look === 1 },
     sensors: [{ ...threshold, bias: settings.bias }],
     delivery: "DELIVERY_LIVE",
