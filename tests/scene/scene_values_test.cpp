@@ -1,5 +1,6 @@
 #include "scene/mitsuba/scene_values.h"
 
+#include "scene/library/scene_format.h"
 #include "scene/library/scene_library.h"
 #include "scene/mitsuba_scratch.h"
 
@@ -47,6 +48,16 @@ TEST(SceneValues, FaultsNameTheLineAndWhatTheSceneHas) {
   expectContains(error("size = 'large'"), "scene.xml:3: 'large' is not a finite number");
   expectContains(errorOf([] { radiusWith("size = 1", kBall + "<bsdf type='$kind'/>"); }),
                  "scene.xml:3: $kind is not defined; defined: $size. A <default> or values.toml");
+}
+
+TEST(SceneValues, AreRefusedBesideASceneWithoutNames) {
+  const Scratch files;
+  files.write("values.toml", "size = 3");
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string scene = files.write("model.obj", triangle), other = files.write("other.obj", triangle);
+  expectContains(errorOf([&] { loadSceneFile(scene, {}); }),
+                 "values.toml stands beside a scene of OBJ, which has no $names");
+  EXPECT_EQ(loadSceneFile(other, {}).meshes.size(), 1);  // the values are those of a scene beside it
 }
 
 TEST(SceneValues, AChangeOfThemIsAChangeOfTheScene) {

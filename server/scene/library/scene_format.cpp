@@ -9,6 +9,7 @@
 #include "scene/gltf/gltf.h"
 #include "scene/library/scene_folder.h"
 #include "scene/mitsuba/mitsuba_xml.h"
+#include "scene/mitsuba/scene_values.h"
 #include "scene/model/model_scene.h"
 #include "scene/motion/bodies.h"
 #include "scene/motion/own_motions.h"
@@ -31,14 +32,24 @@ std::string join(std::string SceneFormat::*text) {
   return joinNames(all);
 }
 
+// Throws where a file beside a scene is one that no scene of its format reads.
+void refuseUnread(const fs::path& scene) {
+  const SceneFormat& format = formatOf(scene);
+  const auto refuse = [&](const char* name, const char* why) {
+    const fs::path file = scene.parent_path() / name;
+    if (!isAbsent(file))
+      throw SceneError(file.string() + " stands beside a scene of " + format.name + ", which has " + why);
+  };
+  if (!format.takes_sky) refuse(kSkyFile, "emitters of its own: use one of constant or envmap");
+  if (!format.has_values && isSceneFile(scene)) refuse(kValuesFile, "no $names");
+}
+
 // Motions and trajectories beside the file come before those in it.
 Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& options) {
   if (const auto chosen = chosenAnimation(file, options); chosen && !formatOf(file).animations)
     throw chosen->error("there is no animation '" + cutText(chosen->name, kMaxEcho) +
                         "': only files of glTF have any");
-  if (!formatOf(file).takes_sky && !isAbsent(file.parent_path() / kSkyFile))
-    throw SceneError((file.parent_path() / kSkyFile).string() + " stands beside a scene of " +
-                     formatOf(file).name + ", which has emitters of its own: use one of constant or envmap");
+  refuseUnread(file);
   for (OwnMotion& motion : readOwnMotions(file, objectNames(scene), options)) {
     std::erase_if(scene.motions, [&](const OwnMotion& other) { return other.name == motion.name; });
     scene.motions.push_back(std::move(motion));
@@ -54,9 +65,9 @@ Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& opti
 
 const std::vector<SceneFormat>& sceneFormats() {
   static const std::vector<SceneFormat> formats{
-      {"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true, false},
-      {"glTF", ".gltf", loadGltf, outlineGltf, true, true, animationsOfGltf},
-      {"binary glTF", ".glb", loadGltf, outlineGltf, true, true, animationsOfGltf},
+      {"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true, true, false},
+      {"glTF", ".gltf", loadGltf, outlineGltf, true, false, true, animationsOfGltf},
+      {"binary glTF", ".glb", loadGltf, outlineGltf, true, false, true, animationsOfGltf},
       {"OBJ", ".obj", loadObjScene, outlineModelScene},
       {"PLY", ".ply", loadPlyScene, outlineModelScene}};
   return formats;

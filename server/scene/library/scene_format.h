@@ -18,8 +18,9 @@ struct SceneFormat {
   // have names alone.
   Scene (*load)(const std::string& path, const LoadOptions& options);
   Scene (*outline)(const std::string& path, const LoadOptions& options);
-  bool has_paths = false;  // its files may have Scene::paths
-  bool takes_sky = true;   // sky.toml may stand beside its files
+  bool has_paths = false;   // its files may have Scene::paths
+  bool has_values = false;  // values.toml may stand beside its files
+  bool takes_sky = true;    // sky.toml may stand beside its files
   // The names of the animations of a file, in its order, of which LoadOptions or motion.toml may choose one.
   // Null: there are none. Throws SceneError.
   std::vector<std::string> (*animations)(const std::string& path, const LoadOptions& options) = nullptr;
