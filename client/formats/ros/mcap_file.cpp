@@ -1,7 +1,5 @@
 #include "client/formats/ros/mcap_file.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -11,7 +9,6 @@
 namespace saccade::client {
 namespace {
 
-constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 constexpr std::string_view kLibrary = "saccade", kNoCompression = "";
 constexpr std::size_t kChunkSize = 768 * 1024;  // bytes after which a chunk ends
 constexpr std::size_t kEntryBytes = 16;         // of an index
@@ -29,10 +26,6 @@ void extend(McapSpan& span, const McapSpan& next) {
   span.begin_ns = span.messages == 0 ? next.begin_ns : std::min(span.begin_ns, next.begin_ns);
   span.end_ns = std::max(span.end_ns, next.end_ns);
   span.messages += next.messages;
-}
-
-std::uint32_t crcOf(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 }  // namespace
@@ -54,7 +47,7 @@ McapFile::McapFile(const std::string& path, const std::string& profile,
       schemas_(mcapSchemas(channels)),
       channels_(mcapChannels(channels)),
       counts_(channels.size()) {
-  file_.append(std::string(kMagic) + headerRecord(profile) + schemas_ + channels_);
+  file_.append(std::string(kMcapMagic) + headerRecord(profile) + schemas_ + channels_);
 }
 
 void McapFile::add(std::size_t channel, std::uint64_t time_ns, std::string_view message,
@@ -74,7 +67,7 @@ void McapFile::add(std::size_t channel, std::uint64_t time_ns, std::string_view 
 void McapFile::writeChunk() {
   McapFields head;
   addTimes(head, span_);
-  head.number<std::uint64_t>(chunk_.size()).number<std::uint32_t>(crcOf(chunk_));
+  head.number<std::uint64_t>(chunk_.size()).number<std::uint32_t>(mcapCrc(chunk_));
   head.sized(kNoCompression).number<std::uint64_t>(chunk_.size());
   McapChunk chunk{.span = span_, .position = file_.size(), .content_size = chunk_.size()};
   std::string records;
@@ -132,8 +125,8 @@ void McapFile::writeSummary() {
   bytes += offsets;
   appendRecord(bytes, McapOp::kFooter, {footer.number<std::uint32_t>(kNoCrc).bytes()});
   bytes.resize(bytes.size() - sizeof(kNoCrc));  // the CRC is of the summary and of the footer before it
-  appendBytes<std::uint32_t>(bytes, crcOf(std::string_view(bytes).substr(begin)));
-  file_.append(bytes += kMagic);
+  appendBytes<std::uint32_t>(bytes, mcapCrc(std::string_view(bytes).substr(begin)));
+  file_.append(bytes += kMcapMagic);
 }
 
 void McapFile::finish() {

@@ -10,6 +10,8 @@
 
 namespace saccade::client {
 
+inline constexpr std::string_view kMcapMagic("\x89MCAP0\r\n", 8);  // first and last in a file
+
 enum class McapOp : std::uint8_t {
   kHeader = 0x01,
   kFooter = 0x02,
@@ -47,5 +49,8 @@ class McapFields {
 // The content of a record is that of its parts.
 void appendRecord(std::string& bytes, McapOp op, std::initializer_list<std::string_view> parts);
 std::string mcapRecord(McapOp op, const McapFields& fields);
+
+// CRC-32 as in zlib.
+std::uint32_t mcapCrc(std::string_view bytes);
 
 }  // namespace saccade::client

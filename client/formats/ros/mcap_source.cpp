@@ -1,7 +1,5 @@
 #include "client/formats/ros/mcap_source.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 
 #include "client/formats/common/expand.h"
@@ -10,7 +8,6 @@
 namespace saccade::client {
 namespace {
 
-constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 constexpr std::uint64_t kRecordHead = 9;   // op and length, bytes
 constexpr std::uint64_t kFooterSize = 20;  // bytes
 
@@ -26,14 +23,10 @@ void expand(std::string& to, std::string_view bytes, std::string_view compressio
   }
 }
 
-std::uint32_t crcOf(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
-
 }  // namespace
 
 McapSource::McapSource(const std::string& path) : RosSource(path) {
-  if (bytesAt(0, std::min<std::uint64_t>(end_, kMagic.size())) != kMagic)
+  if (bytesAt(0, std::min<std::uint64_t>(end_, kMcapMagic.size())) != kMcapMagic)
     throw FileFault(path, "does not begin as MCAP does");
   placed([this] {
     readFooter();
@@ -43,17 +36,17 @@ McapSource::McapSource(const std::string& path) : RosSource(path) {
 
 // A file that was finished ends with its footer and the magic bytes.
 void McapSource::readFooter() {
-  constexpr std::uint64_t kTail = kRecordHead + kFooterSize + kMagic.size();
-  if (end_ < kMagic.size() + kTail) return;
+  constexpr std::uint64_t kTail = kRecordHead + kFooterSize + kMcapMagic.size();
+  if (end_ < kMcapMagic.size() + kTail) return;
   place_ = end_ - kTail;
   const std::string tail = bytesAt(place_, kTail);
   ByteReader bytes(tail);
-  finished_ = tail.ends_with(kMagic) &&
+  finished_ = tail.ends_with(kMcapMagic) &&
               bytes.number<std::uint8_t>() == static_cast<std::uint8_t>(McapOp::kFooter) &&
               bytes.number<std::uint64_t>() == kFooterSize;
   if (!finished_) return;
   summary_ = bytes.number<std::uint64_t>();
-  if (summary_ != 0 && (summary_ < kMagic.size() || summary_ > place_))
+  if (summary_ != 0 && (summary_ < kMcapMagic.size() || summary_ > place_))
     fail("says that the summary is at byte " + std::to_string(summary_));
   end_ = place_;
 }
@@ -65,10 +58,10 @@ void McapSource::findTopics() {
     if (record->op != McapOp::kSchema && record->op != McapOp::kChannel) continue;
     describe(record->op, bytesAt(record->content, record->size));
   }
-  at_ = kMagic.size();
+  at_ = kMcapMagic.size();
   if (!topics_.all().empty()) return;
   while (nextMessage()) continue;
-  at_ = kMagic.size();
+  at_ = kMcapMagic.size();
 }
 
 // Nothing at the end, and for a record that is cut off in a file that was not finished.
@@ -121,7 +114,7 @@ void McapSource::expandChunk(std::string_view content) {
   if (size > kMostChunk) fail("has more than 256 MiB");
   expand(chunk_, bytes.part(bytes.number<std::uint64_t>()), compression, size);
   if (chunk_.size() != size) fail("has another size than it tells");
-  if (crc != 0 && crc != crcOf(chunk_)) fail("does not have the CRC that it tells");
+  if (crc != 0 && crc != mcapCrc(chunk_)) fail("does not have the CRC that it tells");
 }
 
 std::optional<RosSource::Message> McapSource::next() {
