@@ -64,12 +64,26 @@ Scene withFilesBeside(Scene scene, const fs::path& file, const LoadOptions& opti
 }  // namespace
 
 const std::vector<SceneFormat>& sceneFormats() {
+  const auto gltf = [](const char* name, const char* extension) -> SceneFormat {
+    return {.name = name,
+            .extension = extension,
+            .load = loadGltf,
+            .outline = outlineGltf,
+            .has_paths = true,
+            .animations = animationsOfGltf};
+  };
   static const std::vector<SceneFormat> formats{
-      {"Mitsuba", ".xml", loadMitsubaXml, outlineMitsubaXml, true, true, false},
-      {"glTF", ".gltf", loadGltf, outlineGltf, true, false, true, animationsOfGltf},
-      {"binary glTF", ".glb", loadGltf, outlineGltf, true, false, true, animationsOfGltf},
-      {"OBJ", ".obj", loadObjScene, outlineModelScene},
-      {"PLY", ".ply", loadPlyScene, outlineModelScene}};
+      {.name = "Mitsuba",
+       .extension = ".xml",
+       .load = loadMitsubaXml,
+       .outline = outlineMitsubaXml,
+       .has_paths = true,
+       .has_values = true,
+       .takes_sky = false},
+      gltf("glTF", ".gltf"),
+      gltf("binary glTF", ".glb"),
+      {.name = "OBJ", .extension = ".obj", .load = loadObjScene, .outline = outlineModelScene},
+      {.name = "PLY", .extension = ".ply", .load = loadPlyScene, .outline = outlineModelScene}};
   return formats;
 }
 
