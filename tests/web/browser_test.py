@@ -166,7 +166,8 @@ class Browser(unittest.TestCase):
             subprocess.run([SACCADE, *words[1:], "--control", self.server.control], check=True, capture_output=True)
             kept = [row for row in rows_of(folder / "all.csv") if begin * 1e6 <= row[0] < end * 1e6]
             said, asked = plain(json.loads((folder / "all.csv.json").read_text())["request"]), plain(request)
-            for of_the_events in ("frame_rate_hz", "interval_px", "max_rate_hz", "refinement"):
+            self.assertEqual(said["timing"].pop("frame_rate_hz"), asked["timing"].pop("frame_rate_hz"))
+            for of_the_events in ("interval_px", "max_rate_hz", "refinement"):
                 self.assertEqual(said["timing"].get(of_the_events), asked["timing"].get(of_the_events))
             for of_the_clock in ("timing", "delivery"):
                 said.pop(of_the_clock, None), asked.pop(of_the_clock, None)
