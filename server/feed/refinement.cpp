@@ -11,7 +11,7 @@ namespace {
 
 // Of the least threshold. A pixel can have changed where the range around it exceeds kRange of it. A middle
 // that is off the line by less than kOffLine of it ends the search.
-constexpr double kRange = 1, kOffLine = 0.02;
+constexpr double kRange = 1, kOffLine = 0.025;
 // Pixels beyond the motion that count: 1 looks up 7 % more, with 2 % less error.
 constexpr float kBeside = 0.5f;
 constexpr float kMostMotion = kMostReach - kBeside;

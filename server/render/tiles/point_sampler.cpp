@@ -125,7 +125,7 @@ std::size_t PointSampler::traceShadows(const PointView& view, const LookedAt& at
     const RayPlan& plan = plans_[k];
     if (plan.wanted == 0) continue;
     const auto of_groups = static_cast<std::size_t>(groups);
-    at.rays[k].own = known.add(facetOf(k, at.points[k]), std::span(bits_).subspan(k * of_groups, of_groups));
+    at.rays[k].own = known.add(facets_[k], std::span(bits_).subspan(k * of_groups, of_groups));
     const LampSums sums{std::span(rays_).subspan(k * of_groups, of_groups)};
     const float left = varianceOfRays(sums.relativeVariance(sums.mixed2), plan.rays);
     if (!plan.at_ends && plan.wanted < kLeastRayGain * left) continue;
@@ -142,7 +142,8 @@ std::size_t PointSampler::traceAs(const PointView& view, const LookedAt& at, int
   for (std::size_t k = 0; k < at.asked.size(); ++k) {
     if (plans_[k].wanted == 0) continue;
     const RaysAround around = at.points[k].light_moves ? RaysAround{} : at.rays[k];
-    const KnownRays::Bits between = known.between(around.before, around.after, facetOf(k, at.points[k]));
+    facets_[k] = facetOf(k, at.points[k]);
+    const KnownRays::Bits between = known.between(around.before, around.after, facets_[k]);
     const RayNumbers numbers(at.asked[k].x, at.asked[k].y);
     const std::size_t first = k * static_cast<std::size_t>(groups);
     std::fill_n(&rays_[first], groups, LampRays{}), std::fill_n(&bits_[first], groups, RayBits{});

@@ -77,6 +77,7 @@ class PointSampler {
   static RayPlan planRays(const PixelMoment& at, const EndShadows& ends, const PlaceLight& light);
 
   std::array<RayPlan, kMost> plans_;
+  std::array<RayFacet, kMost> facets_;  // of points that a plan gives rays
   std::array<LampRays, kMost * AnalyticLight::kMaxGroups> rays_;
   std::array<RayBits, kMost * AnalyticLight::kMaxGroups> bits_;
 };
