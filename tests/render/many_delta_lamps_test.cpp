@@ -84,10 +84,11 @@ Errors errorsOf(const Scene& scene) {
   return {change / changes, light / lights};
 }
 
+// Few lamps are summed in lanes, which rounds otherwise.
 TEST(ManyDeltaLamps, ThoseOfAnotherRoomDoNoHarm) {
   const Errors errors = errorsOf(rooms(4, false, 0));
-  EXPECT_EQ(errors.change, 0);
-  EXPECT_EQ(errors.light, 0);
+  EXPECT_LT(errors.change, 1e-5);
+  EXPECT_LT(errors.light, 1e-7);
 }
 
 TEST(ManyDeltaLamps, FaintOnesDoLittleHarm) {

@@ -66,11 +66,12 @@ void PointSampler::lookPlain(const PointView& view, std::size_t first, std::span
   LaneVectors white;
   view.scene.analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
                                 view.scene.strengths(), white);
+  const PlainPlaces places(s, white);
   forEachLane(block.plain, [&](int lane) {
     PointSample& point = out[first + static_cast<std::size_t>(lane)] = {};
     point.albedo = s.albedo[lane], point.emission = luminance(s.emission.at(lane));
     if (point.albedo <= 0) return;
-    point.kind = setPlace(s, lane, white.at(lane), point.place);
+    point.kind = places.set(s, lane, point.place);
     if (point.kind != SurfaceKind::kNone && view.motion)
       setMotion(view.scene, *view.motion, block.on[static_cast<std::size_t>(lane)], seenPoint(s, lane),
                 point.light_moves, point.place);

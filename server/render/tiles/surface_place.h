@@ -1,6 +1,11 @@
 // Where the light of a point that a pixel shows is kept, see SurfacePlace.
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstddef>
+
+#include "cache/lattice/lanes.h"
 #include "frame/surface_samples.h"
 #include "render/primary/gbuffer_pass.h"
 #include "render/surface/scatter.h"
@@ -30,15 +35,36 @@ void setStart(const PathStart& path, float albedo, SurfaceStart& out) {
   out.albedo = albedo;
 }
 
-// Sets the place of a lane of plain surfaces, which is not black. `white`: AnalyticLight::at() of it. Returns
-// its kind; with kNone there is no place.
-inline SurfaceKind setPlace(const PlainSurfaces& s, int lane, Rgb white, SurfacePlace& place) {
-  const float albedo = s.albedo[lane];
-  if (albedo <= kLeastSurfaceAlbedo) return SurfaceKind::kNone;
-  const float unoccluded = luminance(s.reflectance.at(lane) * white) / albedo;
-  place = {s.point.at(lane), s.shading_normal.at(lane), s.width[lane], unoccluded};
-  return SurfaceKind::kDiffuse;
-}
+// The places of plain surfaces, by lane. `white`: AnalyticLight::at() of them.
+class PlainPlaces {
+ public:
+  PlainPlaces(const PlainSurfaces& s, const LaneVectors& white) {
+    for (int first = 0; first < kLaneVectors; first += kWidth) {
+      const auto point = s.point.lanes<kWidth>(first), normal = s.shading_normal.lanes<kWidth>(first);
+      const F unoccluded = luminance<F>(s.reflectance.lanes<kWidth>(first) * white.lanes<kWidth>(first)) /
+                           load<kWidth>(&s.albedo[first]);
+      const auto column = [](const F& f) { return Octet(static_cast<__m256>(f)); };
+      const auto rows =
+          transposed({column(point.x), column(point.y), column(point.z), column(normal.x), column(normal.y),
+                      column(normal.z), column(load<kWidth>(&s.width[first])), column(unoccluded)});
+      for (int i = 0; i < kWidth; ++i) places_[first + i] = std::bit_cast<SurfacePlace>(rows[i]);
+    }
+  }
+  // Sets the place of a lane that is not black. Returns its kind; with kNone there is no place.
+  SurfaceKind set(const PlainSurfaces& s, int lane, SurfacePlace& place) const {
+    if (s.albedo[lane] <= kLeastSurfaceAlbedo) return SurfaceKind::kNone;
+    place = places_[lane];
+    return SurfaceKind::kDiffuse;
+  }
+
+ private:
+  static constexpr int kWidth = 8;
+  using F = Floats<kWidth>;
+  static_assert(sizeof(SurfacePlace) == sizeof(Octet) && offsetof(SurfacePlace, normal) == 12 &&
+                offsetof(SurfacePlace, footprint) == 24 && offsetof(SurfacePlace, unoccluded) == 28);
+
+  std::array<SurfacePlace, kLaneVectors> places_;
+};
 
 // Sets the place of another surface that reflects light, where paths start at `start`.
 inline SurfaceKind setPlace(const PosedView& view, const PrimaryHit& hit, const SurfaceStart& start,

@@ -6,6 +6,7 @@
 #include "base/scratch.h"
 #include "render/primary/sub_pixels_shown.h"
 #include "render/tiles/delta_light.h"
+#include "render/tiles/plain_delta_light.h"
 #include "render/tiles/surface_place.h"
 #include "render/tiles/tile_samples.h"
 
@@ -20,24 +21,31 @@ class TilePoints {
   TilePoints(const PixelContext& view, const FrameMotion& motion, Tile tile, Frame& out)
       : view_(view), motion_(motion), tile_(tile), out_(out) {}
 
+  // Where the block of a pixel is made, to be set().
+  PrimaryBlock& block(int x, int y) { return memory_->blocks[blockOf(x, y)]; }
   // The one point of each pixel that shows a plain surface.
   void set(const PrimaryBlock& block) {
-    const PlainSurfaces& s = memory_->plain[blockOf(block.x0, block.y0)] = block.surfaces;
+    const PlainSurfaces& s = block.surfaces;
     LaneVectors white;
     view_.now.scene.analyticLight().at({s.point, s.shading_normal, s.geometric_normal}, block.plain,
                                        view_.now.scene.strengths(), white);
+    const PlainPlaces places(s, white);
     forEachLane(block.plain, [&](int lane) {
-      SurfacePoint& point = out_.surfaces->at(block.x(lane), block.y(lane)) = {};
-      isPlain(block.x(lane), block.y(lane)) = true;
-      carried(block.x(lane), block.y(lane)).body = kNoBody;
+      const std::size_t i = out_.surfaces->indexOf(block.x(lane), block.y(lane));
+      SurfacePoint& point = (*out_.surfaces)[i] = {};
+      if (has_bodies_) carried(block.x(lane), block.y(lane)).body = kNoBody;
       if (s.albedo[lane] <= 0) return;
       point.share = 1;
-      SurfacePlace& place = out_.surfaces->place(out_.surfaces->indexOf(block.x(lane), block.y(lane)));
-      point.kind = setPlace(s, lane, white.at(lane), place);
-      if (point.kind != SurfaceKind::kNone && view_.now.scene.bodies())
+      SurfacePlace& place = out_.surfaces->place(i);
+      point.kind = places.set(s, lane, place);
+      if (point.kind != SurfaceKind::kNone && has_bodies_)
         carried(block.x(lane), block.y(lane)) = setMotion(view_.now.scene, motion_, placeOf(block, lane),
                                                           seenPoint(s, lane), point.light_moves, place);
     });
+    if (plain_deltas_.isOfAll())
+      plain_deltas_.add(s, block.plain, [&](int lane, float light) {
+        out_.g.emission.at(block.x(lane), block.y(lane)) += light;
+      });
   }
   // The one point of another pixel.
   void set(int x, int y, const PrimaryHit& centre) {
@@ -65,8 +73,9 @@ class TilePoints {
     });
   }
 
-  // Adds the light of lamps without extent to what pixels emit.
+  // Adds the light of lamps without extent to what pixels emit, where it is not known yet.
   void addDeltaLight() {
+    if (!any_other_ && plain_deltas_.isOfAll()) return;
     const SurfaceSamples& on = *out_.surfaces;
     const int width = out_.width();
     const auto onLight = [&](std::uint32_t pixel, float light) {
@@ -78,7 +87,7 @@ class TilePoints {
       const auto pixel = static_cast<std::uint32_t>(y * width + x);
       for (int column = x * on.perPixel(); column < (x + 1) * on.perPixel(); ++column) {
         const float share = on.at(column, y).share;
-        if (share <= 0) continue;
+        if (share <= 0 || (isPlain(column, y) && plain_deltas_.isOfAll())) continue;
         const float scale = share * out_.g.albedo.at(x, y);
         const RayNumbers numbers(column, y);
         if (isPlain(column, y)) {
@@ -115,15 +124,16 @@ class TilePoints {
   static constexpr int kTileBlocks = kMaxTileEdge / kBlockEdge;  // across
   struct Memory {
     std::array<SurfaceStart, kMaxTilePoints> others;
-    std::array<PlainSurfaces, kTileBlocks * kTileBlocks> plain;
-    std::array<bool, kMaxTilePoints> is_plain;
-    std::array<ShapePoint, kMaxTilePoints> carried;  // on the bodies that carry them; of kNoBody: on none
+    std::array<PrimaryBlock, kTileBlocks * kTileBlocks> blocks;  // unless there is jitter
+    // On the bodies that carry them; of kNoBody: on none. Of a scene without bodies it is not set.
+    std::array<ShapePoint, kMaxTilePoints> carried;
   };
 
   // The point that a ray has found. `share`: of the pixel's albedo.
   void setPoint(int column, int y, const PrimaryHit& hit, float share) {
     SurfacePoint& point = out_.surfaces->at(column, y) = {};
-    isPlain(column, y) = false, carried(column, y).body = kNoBody;
+    any_other_ = true;
+    carried(column, y).body = kNoBody;
     const Guide& guide = hit.guide;
     const float albedo = luminance(guide.albedo);
     if (!hit.valid || albedo <= 0) return;
@@ -148,12 +158,15 @@ class TilePoints {
     if (view_.now.scene.deformed()) starts.setCarried(i, carried(column, y));
     if (isPlain(column, y)) return starts.set(i, plainStart(column, y));
     SurfaceStart& start = memory_->others[indexOf(column, y)];
-    start.carrier = carried(column, y).body;
+    start.carrier = carrierOf(column, y);
     starts.set(i, start);
   }
   PlainStart plainStart(int x, int y) const {
-    const int lane = (y - tile_.y0) % kBlockEdge * kBlockEdge + (x - tile_.x0) % kBlockEdge;
-    return {memory_->plain[blockOf(x, y)], lane, carried(x, y).body};
+    return {memory_->blocks[blockOf(x, y)].surfaces, laneOf(x, y), carrierOf(x, y)};
+  }
+
+  int laneOf(int x, int y) const {
+    return (y - tile_.y0) % kBlockEdge * kBlockEdge + (x - tile_.x0) % kBlockEdge;
   }
 
   std::size_t blockOf(int x, int y) const {
@@ -163,13 +176,20 @@ class TilePoints {
     const int per_pixel = out_.surfaces->perPixel();
     return static_cast<std::size_t>(((y - tile_.y0) * (tile_.x1 - tile_.x0) - tile_.x0) * per_pixel + column);
   }
-  bool& isPlain(int column, int y) const { return memory_->is_plain[indexOf(column, y)]; }
+  bool isPlain(int x, int y) const {
+    return !is_jittered_ && memory_->blocks[blockOf(x, y)].plain.has(laneOf(x, y));
+  }
+  std::uint32_t carrierOf(int column, int y) const { return has_bodies_ ? carried(column, y).body : kNoBody; }
   ShapePoint& carried(int column, int y) const { return memory_->carried[indexOf(column, y)]; }
 
   const PixelContext& view_;
   const FrameMotion& motion_;
   Tile tile_;
   Frame& out_;
+  const bool has_bodies_ = view_.now.scene.bodies() != nullptr;
+  const bool is_jittered_ = out_.surfaces->perPixel() > 1;  // then there are no blocks
+  bool any_other_ = false;                                  // whether any point is not plain
+  const PlainDeltaLight<S> plain_deltas_{view_.now.scene};
   const Scratch<Memory> memory_;
 };
 
@@ -179,7 +199,8 @@ void renderSurfaceTile(const PixelContext& view, const FrameMotion& motion, Tile
   TilePoints<S> points(view, motion, tile, out);
   if (out.surfaces->perPixel() == 1)
     forEachPrimary<S>(
-        view, tile, out.g, [&](const PrimaryBlock& block) { points.set(block); },
+        view, tile, out.g, [&](int x, int y) -> PrimaryBlock& { return points.block(x, y); },
+        [&](const PrimaryBlock& block) { points.set(block); },
         [&](int x, int y, const PrimaryHit& hit) { points.set(x, y, hit); });
   else
     forEachPixel(tile, [&](int x, int y) { points.setJittered(x, y); });

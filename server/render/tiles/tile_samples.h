@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/hash_rng.h"
+#include "base/scratch.h"
 #include "frame/pixel_before.h"
 #include "render/paths/path_run.h"
 #include "render/primary/sub_pixels_shown.h"
@@ -57,7 +58,9 @@ void addPaths(const PixelContext& view, Tile tile, GBuffer& g, auto& run, const 
     if (primary.valid) forEachPath([&](const auto& pathOf) { run.add(primary.start, pathOf(x, y)); });
     on_emission(x, y, primary.guide.emission);
   };
-  forEachPrimary<S>(view, tile, g, onPlain, onOther);
+  const Scratch<PrimaryBlock> block;
+  const auto blockAt = [&](int, int) -> PrimaryBlock& { return *block; };
+  forEachPrimary<S>(view, tile, g, blockAt, onPlain, onOther);
   run.finish();
 }
 
