@@ -8,14 +8,15 @@ FREE = ["tcp://127.0.0.1:0"] * 3
 
 
 class Server:
-    """saccaded on free ports of loopback, with one thread. A context manager that stops it.
+    """saccaded on free ports of loopback, with one thread unless told. A context manager that stops it.
 
     It takes every PACED stream, however slow the machine is.
     """
 
-    def __init__(self, *flags, endpoints=FREE):
+    def __init__(self, *flags, endpoints=FREE, threads=1):
         sockets = [word for pair in zip(("--control", "--data", "--broadcast"), endpoints) for word in pair]
-        command = [os.environ["SACCADED"], *sockets, "--http", "off", "--threads", "1", "--limit-cpu", "0", *flags]
+        command = [os.environ["SACCADED"], *sockets, "--http", "off", "--threads", str(threads),
+                   "--limit-cpu", "0", *flags]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         ready = next(filter(None, (re.search(r"ready: control (\S+) data (\S+) broadcast (\S+)", line)
                                    for line in self.process.stdout)), None)
