@@ -21,6 +21,7 @@ struct Piece {
   float from, to;
   float off;  // how far the middle of the piece that this is half of is off its line; 0: this is a whole one
   RaysAround rays = {};  // at both moments
+  bool sharp = false;    // see RefinedInterval
 
   float line() const { return 0.5f * (from + to); }
 };
@@ -151,7 +152,7 @@ void splitLevel(const RefinedInterval& interval, Tile tile, Memory& m) {
       m.grid.set(whole, I);
       const float L = logBrightness(I, interval.bias);
       const float off = std::abs(L - whole.line());
-      if (off < interval.enough) continue;
+      if (off < interval.enough && !whole.sharp) continue;
       const auto half = static_cast<std::uint8_t>(whole.half / 2);
       const auto first = static_cast<std::uint8_t>(whole.middle - half);
       const auto second = static_cast<std::uint8_t>(whole.middle + half);
@@ -180,6 +181,8 @@ void RefinedTile::refine(const RefinedInterval& interval, Tile tile, int levels,
   m.level.clear();
   listPieces(interval, tile, findRanges(interval.L0, interval.L1, tile, reach, interval.contrast), m.level);
   if (m.level.empty()) return;
+  const TileMask sharp = findRanges(interval.L0, interval.L1, tile, reach, interval.sharp);
+  for (Piece& piece : m.level) piece.sharp = sharp[piece.y] >> piece.x & 1u;
   m.known.clear(), m.rays = 0;
   const int moments = 1 << interval.levels;
   m.grid.clear(moments);

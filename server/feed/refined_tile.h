@@ -1,8 +1,9 @@
 // Refines the pixels of a tile within an interval.
 //
 // A pixel's log brightness starts as a line between both ends. Where it can have changed, its value in the
-// middle is looked up. Where that is off the line, both halves are split in turn. Pieces of one length
-// are looked up together, in the order of their pixels: rays that share a pixel are as coherent as neighbours
+// middle is looked up. Where that is off the line, both halves are split in turn. Beside strong contrast they
+// are in any case: detail narrower than a pixel may come and go before the middle. Pieces of one length are
+// looked up together, in the order of their pixels: rays that share a pixel are as coherent as neighbours
 // [ours].
 #pragma once
 
@@ -29,6 +30,7 @@ struct RefinedInterval {
   const EndShadows& shadows;
   float bias;           // of log brightness
   float contrast;       // of the range that a change needs
+  float sharp;          // of the range where both halves are looked up, wherever the middle is
   float enough;         // distance from the line that needs no further piece
   double most_updates;  // see RefinementSettings
   bool every_ray;       // likewise

@@ -10,8 +10,9 @@ namespace saccade {
 namespace {
 
 // Of the least threshold. A pixel can have changed where the range around it exceeds kRange of it. A middle
-// that is off the line by less than kOffLine of it ends the search.
-constexpr double kRange = 1, kOffLine = 0.025;
+// that is off the line by less than kOffLine of it ends the search, unless the range exceeds kSharp: that
+// looks up 2 % more in rooms, and misses half as many events under a tree in the sun.
+constexpr double kRange = 1, kOffLine = 0.025, kSharp = 8;
 // Pixels beyond the motion that count: 1 looks up 7 % more, with 2 % less error.
 constexpr float kBeside = 0.5f;
 constexpr float kMostMotion = kMostReach - kBeside;
@@ -71,6 +72,7 @@ std::chrono::nanoseconds Refinement::refine(const Interval& interval, const Pool
                                 .shadows = shadows,
                                 .bias = static_cast<float>(settings_.bias),
                                 .contrast = static_cast<float>(kRange * settings_.threshold),
+                                .sharp = static_cast<float>(kSharp * settings_.threshold),
                                 .enough = static_cast<float>(kOffLine * settings_.threshold),
                                 .most_updates = settings_.most_updates,
                                 .every_ray = settings_.every_ray};

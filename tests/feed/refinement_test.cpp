@@ -274,6 +274,27 @@ TEST_F(RefinementTest, ABodyMayMoveFurtherThanTilesLook) {
   }
 }
 
+// A lit strip before a dark wall passes a pixel at a quarter of an interval, and is seen at neither end nor
+// in the middle. A broad one beside it tells of the contrast.
+TEST(RefinedDetail, ComesAndGoesBeforeTheMiddle) {
+  const float pixel = Camera(Pose{}, config().camera).pixel;
+  Scene s;
+  s.materials = {test::grey(0)};
+  s.meshes = {test::quad({-3, -3, 1.01f}, {0, 6, 0}, {6, 0, 0}, 0)};
+  const auto addStrip = [&](float from, float to) {  // in pixels right of the centre of pixel kW / 2
+    s.meshes.push_back(
+        test::quad({(0.5f + from) * pixel, -1, 1}, {0, 2, 0}, {(to - from) * pixel, 0, 0}, 0, {1, 1, 1}));
+  };
+  addStrip(0.15f, 0.35f), addStrip(2.5f, 9);
+  TilePool pool(1);
+  Feed feed(std::make_shared<RenderScene>(s),
+            Trajectory({{0ms, Pose{}}, {160ms, Pose{{10 * pixel, 0, 0}, {}}}}), config(), pool);
+  const auto& updates = feed.step(pool).updates;
+  EXPECT_TRUE(std::ranges::any_of(updates, [](const IntensityUpdate& u) {
+    return u.pixel == kH / 2 * kW + kW / 2 && u.at == 0.25f && u.I > 0.5f;
+  }));
+}
+
 TEST(RefinementFault, NamesWhatHasWholeFramesOnly) {
   FeedConfig c = config();
   EXPECT_EQ(refinementFault(c), "");
