@@ -10,8 +10,8 @@ namespace saccade {
 namespace {
 
 // Of the least threshold. A pixel can have changed where the range around it exceeds kRange of it. A middle
-// that is off the line by less than kOffLine of it ends the search, unless the range exceeds kSharp: that
-// looks up 2 % more in rooms, and misses half as many events under a tree in the sun.
+// that is off the line by less than kOffLine of it ends the search, unless the range exceeds kSharp. The
+// latter looks up 3 % more in rooms, and misses half as many events under a tree in the sun.
 constexpr double kRange = 1, kOffLine = 0.025, kSharp = 8;
 // Pixels beyond the motion that count: 1 looks up 7 % more, with 2 % less error.
 constexpr float kBeside = 0.5f;
