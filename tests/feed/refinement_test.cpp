@@ -274,8 +274,8 @@ TEST_F(RefinementTest, ABodyMayMoveFurtherThanTilesLook) {
   }
 }
 
-// A lit strip before a dark wall passes a pixel at a quarter of an interval, and is seen at neither end nor
-// in the middle. A broad one beside it tells of the contrast.
+// A lit strip before a dark wall passes a pixel at a quarter of an interval. Neither end shows it, nor does
+// the middle. A broad one beside it tells of the contrast.
 TEST(RefinedDetail, ComesAndGoesBeforeTheMiddle) {
   const float pixel = Camera(Pose{}, config().camera).pixel;
   Scene s;
