@@ -26,9 +26,9 @@ void slide(const Extremes& from, int reach, int count, Extremes& to) {
 
 }  // namespace
 
-TileMask findRanges(const ImageF& at_t0, const ImageF& at_t1, Tile tile, int reach, float limit) {
+void TileRanges::find(const ImageF& at_t0, const ImageF& at_t1, Tile tile, int reach) {
   const Scratch<std::array<Extremes, kMostWide>> rows;
-  const int width = tile.x1 - tile.x0, height = tile.y1 - tile.y0;
+  const int width = width_ = tile.x1 - tile.x0, height = height_ = tile.y1 - tile.y0;
   for (int j = 0; j < height + 2 * reach; ++j) {
     const int y = std::clamp(tile.y0 - reach + j, 0, at_t0.height() - 1);
     const float *a = at_t0.row(y), *b = at_t1.row(y);
@@ -39,7 +39,6 @@ TileMask findRanges(const ImageF& at_t0, const ImageF& at_t1, Tile tile, int rea
     }
     slide(row, reach, width, (*rows)[j]);
   }
-  TileMask mask{};
   for (int y = 0; y < height; ++y) {
     Extremes around = (*rows)[y];
     for (int j = y + 1; j <= y + 2 * reach; ++j)
@@ -47,8 +46,14 @@ TileMask findRanges(const ImageF& at_t0, const ImageF& at_t1, Tile tile, int rea
         around.low[x] = std::min(around.low[x], (*rows)[j].low[x]);
         around.high[x] = std::max(around.high[x], (*rows)[j].high[x]);
       }
-    for (int x = 0; x < width; ++x) mask[y] |= std::uint32_t{around.high[x] - around.low[x] > limit} << x;
+    for (int x = 0; x < width; ++x) of_[y][x] = around.high[x] - around.low[x];
   }
+}
+
+TileMask TileRanges::above(float limit) const {
+  TileMask mask{};
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) mask[y] |= std::uint32_t{of_[y][x] > limit} << x;
   return mask;
 }
 

@@ -130,6 +130,7 @@ void forEachChunk(std::span<const Piece> pieces, bool of_one_moment, const auto&
 }
 
 struct Memory {
+  TileRanges ranges;
   std::vector<Piece> level, next;
   std::vector<float> off;
   UpdateGrid grid;
@@ -179,9 +180,10 @@ void RefinedTile::refine(const RefinedInterval& interval, Tile tile, int levels,
   const Scratch<Memory> memory;
   Memory& m = *memory;
   m.level.clear();
-  listPieces(interval, tile, findRanges(interval.L0, interval.L1, tile, reach, interval.contrast), m.level);
+  m.ranges.find(interval.L0, interval.L1, tile, reach);
+  listPieces(interval, tile, m.ranges.above(interval.contrast), m.level);
   if (m.level.empty()) return;
-  const TileMask sharp = findRanges(interval.L0, interval.L1, tile, reach, interval.sharp);
+  const TileMask sharp = m.ranges.above(interval.sharp);
   for (Piece& piece : m.level) piece.sharp = sharp[piece.y] >> piece.x & 1u;
   m.known.clear(), m.rays = 0;
   const int moments = 1 << interval.levels;

@@ -38,7 +38,7 @@ struct RefinedInterval {
 
 class RefinedTile {
  public:
-  // `levels`: at most those of the interval. `reach`: see findRanges().
+  // `levels`: at most those of the interval. `reach`: see TileRanges.
   void refine(const RefinedInterval& interval, Tile tile, int levels, int reach);
 
   // By time, then by pixel.

@@ -27,7 +27,9 @@ TEST(BrightnessRange, IsThatOfASquareAtBothEnds) {
   constexpr float kLimit = 0.7f;
   for (const int reach : {1, 3, kMostReach}) {
     for (const Tile tile : {Tile{0, 0, 32, 32}, Tile{64, 32, kW, kH}}) {
-      const TileMask mask = findRanges(a, b, tile, reach, kLimit);
+      TileRanges ranges;
+      ranges.find(a, b, tile, reach);
+      const TileMask mask = ranges.above(kLimit);
       int marked = 0;
       for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) {
@@ -48,7 +50,9 @@ TEST(BrightnessRange, IsThatOfASquareAtBothEnds) {
 TEST(BrightnessRange, MarksNothingInAnEvenPicture) {
   ImageF even(kW, kH);
   even.fill(3);
-  for (const std::uint32_t row : findRanges(even, even, {0, 0, 32, 32}, 2, 0)) EXPECT_EQ(row, 0u);
+  TileRanges ranges;
+  ranges.find(even, even, {0, 0, 32, 32}, 2);
+  for (const std::uint32_t row : ranges.above(0)) EXPECT_EQ(row, 0u);
 }
 
 }  // namespace
