@@ -97,12 +97,12 @@ class PlainDeltaLight {
       const LaneSet lanes = rays.lanes.from(first) & LaneSet::first(W);
       if (!lanes.any()) continue;
       RayPacket<W> packet(straight_.stops());
-      std::copy_n(&rays.origin.x[first], W, packet.origin_x),
-          std::copy_n(&rays.segment.x[first], W, packet.x);
-      std::copy_n(&rays.origin.y[first], W, packet.origin_y),
-          std::copy_n(&rays.segment.y[first], W, packet.y);
-      std::copy_n(&rays.origin.z[first], W, packet.origin_z),
-          std::copy_n(&rays.segment.z[first], W, packet.z);
+      const auto copy = [&](const LaneVectors& from, float* x, float* y, float* z) {
+        std::copy_n(&from.x[first], W, x), std::copy_n(&from.y[first], W, y),
+            std::copy_n(&from.z[first], W, z);
+      };
+      copy(rays.origin, packet.origin_x, packet.origin_y, packet.origin_z);
+      copy(rays.segment, packet.x, packet.y, packet.z);
       std::fill_n(packet.far, W, rays.reach);
       tracing_.scene.geometry().template occluded<W>(packet, lanes);
       forEachLane(lanes, [&](int i) { all.add(first + i, packet.far[i] < 0); });

@@ -52,16 +52,15 @@ class TileShadowRays {
     if (count_ == 0) return;
     const PosedShapes all = t_.scene.geometry();
     all.occluded(packet_, LaneSet::first(count_));
-    for (int i = 0; i < count_; ++i) on_end_(rays_[i], packet_.far[i] < 0 ? Rgb{} : throughPanes(rays_[i]));
+    for (int i = 0; i < count_; ++i) {
+      const ShadowRay& ray = rays_[i];
+      on_end_(ray, packet_.far[i] < 0 ? Rgb{} : straight_.along({ray.origin, ray.segment, ray.reach}));
+    }
     count_ = 0;
   }
 
  private:
   static constexpr int kRays = 8;
-
-  Rgb throughPanes(const ShadowRay& ray) const {
-    return straight_.along({ray.origin, ray.segment, ray.reach});
-  }
 
   const Tracing& t_;
   const OnEnd& on_end_;
