@@ -88,6 +88,14 @@ def open_in_blender(scene, size, spp, bounces, diffuse):
     it.world = bpy.data.worlds.new("sky")
     it.world.use_nodes = True
     it.world.node_tree.nodes["Background"].inputs["Color"].default_value = (0, 0, 0, 1) if lit else (1, 1, 1, 1)
+    prepare_cycles(size, spp, bounces)
+
+
+def prepare_cycles(size, spp, bounces):
+    """Sets paths without tricks, that are spread evenly over each pixel."""
+    import bpy
+
+    it = bpy.context.scene
     it.render.engine = "CYCLES"
     cycles = it.cycles
     cycles.samples, cycles.use_denoising, cycles.use_adaptive_sampling = spp, False, False
