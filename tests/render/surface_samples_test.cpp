@@ -133,6 +133,29 @@ TEST(SurfaceSamples, EndedPathsFindTheSameLight) {
   EXPECT_NEAR(ended, all, 0.01 * all);
 }
 
+// A path that goes on although light is known takes the known light, which has less noise than its own.
+TEST(SurfaceSamples, PathsThatGoOnTakeKnownLight) {
+  const Scene scene = lampRoom(test::grey(0.5f));
+  BounceGrid seen(10000);
+  seen.add(*render(scene, 16, 3, 1, &seen).surfaces);
+  const auto residuals = [&](float samples, int& went_on) {
+    BounceGrid known(10000);
+    EXPECT_TRUE(known.restore(seen.keys(), std::vector<Quad>(seen.cells(), Quad{1, 5, 5, 5} * samples)));
+    const Frame frame = render(scene, 4, 3, 2, &known);
+    std::vector<float> all;
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        all.push_back(lightAt(frame, x, y).residual);
+        went_on += lightAt(frame, x, y).bounce.cell != 0;
+      }
+    return all;
+  };
+  int some = 0, few = 0;
+  const std::vector<float> with = residuals(100, some), without = residuals(2000, few);
+  EXPECT_GT(some, few + 20);
+  for (std::size_t i = 0; i < with.size(); ++i) ASSERT_NEAR(with[i], without[i], 1e-5 * without[i]) << i;
+}
+
 // Without shadows and without other surfaces nothing is left over.
 TEST(SurfaceSamples, AllOfDirectLightIsInClosedForm) {
   Scene s = lampRoom(test::grey(0.5f));

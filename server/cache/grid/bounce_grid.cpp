@@ -6,10 +6,9 @@
 namespace saccade {
 namespace {
 
-constexpr float kEdgePixels = 16;    // of the largest cells
-constexpr float kLeastSamples = 16;  // that make light known
+constexpr float kEdgePixels = 16;   // of the largest cells
+constexpr float kLeastSamples = 8;  // that make light known
 constexpr float kMostSamples = 1024;
-constexpr float kGoOn = 1.f / 16;  // of the paths that reach known light, until it has the most samples
 
 // 18 bits of a coordinate. Cells that share an address are 2^18 cells apart, and so at different distances.
 std::uint64_t address(float coordinate, float edge) {
@@ -36,12 +35,11 @@ BounceCell::BounceCell(Vec3 p, Vec3 normal, float pixel) {
         level_bits << 57;
 }
 
-std::optional<Rgb> BounceGrid::find(const BounceCell& cell, float u) const {
+std::optional<BounceGrid::Known> BounceGrid::find(const BounceCell& cell) const {
   const std::uint32_t i = table_.indexOf(cell.key);
   if (i == IndexTable::kNone || light_[i][0] < kLeastSamples) return {};
   const Quad& sum = light_[i];
-  if (u < kGoOn && sum[0] < kMostSamples) return {};
-  return Rgb{sum[1], sum[2], sum[3]} * (1 / sum[0]);
+  return Known{Rgb{sum[1], sum[2], sum[3]} * (1 / sum[0]), sum[0] >= kMostSamples};
 }
 
 void BounceGrid::add(const SurfaceSamples& on) {

@@ -1,5 +1,6 @@
 // Light at the second vertices of paths, kept on surfaces. A path that reaches a cell whose light is known
-// ends there. So most paths are short, and their light has less noise [ours, after NVIDIA's SHaRC].
+// takes it, and most end there. So most paths are short, and their light has less noise [ours, after NVIDIA's
+// SHaRC].
 //
 // A sample is what a path of full length finds from its second vertex on. So a path that ends there counts as
 // many bounces as one that goes on. Cells are cubes of 8 to 16 pixels as the camera sees them, and the six
@@ -28,9 +29,12 @@ class BounceGrid {
 
   explicit BounceGrid(std::size_t max_cells) : max_cells_(max_cells) {}
 
-  // The light that arrives in a cell, as BounceSample has it, where it is known. `u` in [0, 1) is a random
-  // number: some paths go on although it is known, so that it is known better.
-  std::optional<Rgb> find(const BounceCell& cell, float u) const;
+  struct Known {
+    Rgb light;  // that arrives, as BounceSample has it
+    bool well;  // no more samples are wanted
+  };
+  // Where it is known.
+  std::optional<Known> find(const BounceCell& cell) const;
   // Adds a frame's samples, in order.
   void add(const SurfaceSamples& on);
   // Forgets all light: it has changed.

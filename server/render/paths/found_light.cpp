@@ -20,14 +20,16 @@ template <int C>
 bool endsAtKnownLight(const Tracing& t, const SecondVertex& v, const PathSampler& sampler, std::uint32_t slot,
                       Color<C>& throughput, PathResults<C>& results) {
   constexpr float kLeastAlbedo = 1e-3f;
+  constexpr float kPartThatGoesOn = 1.f / 16;  // of the paths, so that light is known better
   // Of a cell's edge. Single cells would show where they are near, and in directions like a mirror's.
   constexpr float kLeastCone = RayCone::kDiffuseSpread;
   if (!t.known.grid || std::min({v.albedo.x, v.albedo.y, v.albedo.z}) < kLeastAlbedo) return false;
   const BounceCell cell(v.point, v.normal, t.known.pixel * length(v.point - t.known.eye));
   if (v.width < kLeastCone * cell.edge) return false;
-  if (const auto light = t.known.grid->find(cell, sampler.u(kGoOn))) {
-    results.radiance.add(slot, throughput * Color<C>(v.albedo * *light));
-    return true;
+  if (const auto known = t.known.grid->find(cell)) {
+    results.radiance.add(slot, throughput * Color<C>(v.albedo * known->light));
+    if (known->well || sampler.u(kGoOn) >= kPartThatGoesOn) return true;
+    throughput = Color<C>();  // what the path finds from here on is for the grid alone
   }
   results.suffix_cell[slot] = cell.key, results.suffix_albedo[slot] = v.albedo;
   results.before.set(slot, results.radiance.at(slot)), results.carried.set(slot, throughput);

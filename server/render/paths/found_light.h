@@ -41,8 +41,8 @@ struct SecondVertex {
   float width;  // of the cone
 };
 
-// Light that is known there ends the path. Returns whether it does. Otherwise, if the vertex can be cached,
-// the radiance of the path's suffix is accumulated separately from here on.
+// Light that is known there is added, and ends most paths. Returns whether it ends this one. Otherwise, if
+// the vertex can be cached, the radiance of the path's suffix is accumulated separately from here on.
 template <int C>
 bool endsAtKnownLight(const Tracing& t, const SecondVertex& v, const PathSampler& sampler, std::uint32_t slot,
                       Color<C>& throughput, PathResults<C>& results);
