@@ -14,7 +14,7 @@ namespace {
 constexpr int kBakedIterations = 1;
 
 // Where bodies move, see PathPlan.
-constexpr float kTargetOfChange = 0.03f, kMostOfChange = 4;
+constexpr float kTargetOfChange = 0.03f;
 
 // Whether a pixel shows the same surface in both frames.
 bool showsSame(const FramePair& frames, int x, int y) {
@@ -71,7 +71,10 @@ PathPlan IrradianceCache::pathPlan(int spp) const {
                 .usual = std::max(asked - params_.grid_paths, 0.5f * asked),
                 .target = params_.target * of_two,
                 .most = asked};
-  if (moved_) plan.most *= kMostOfChange, plan.target_of_change = kTargetOfChange * of_two;
+  if (moved_)
+    plan.target_of_change = kTargetOfChange * of_two;
+  else
+    plan.most = 0.5f * (plan.usual + asked);
   return plan;
 }
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "base/hash_rng.h"
 
 namespace saccade {
 namespace {
 
-constexpr float kMostForOthers = 4;  // times `asked`
+constexpr float kMostOfPoint = 8, kMostForOthers = 4;  // times `asked`
 constexpr float kLeastForOthers = 0.5f;
 constexpr double kMostForNew = 8;     // times those of other points of kNone
 constexpr double kShareForNew = 0.1;  // of `asked`, at most
@@ -22,13 +23,12 @@ float ditherAt(int x, int y, std::uint32_t frame) {
   return toUnit(bits);
 }
 
-// A change is small beside its noise in few places, and there it takes many paths. So its error counts by
-// its cube.
+// Paths for the square of an error that is large. A change is small beside its noise in few places, and there
+// it takes many paths: those for the cube of its error.
 float wantedPaths(const PathPlan& plan, float error, float error_of_change) {
-  constexpr float kEnough = 100;
-  const float c = std::min(error_of_change / plan.target_of_change, kEnough);
-  const float r = std::max(error / plan.target, c * c * c);
-  return std::min(plan.most, plan.usual * std::max(std::min(1.f, r), 0.5f * r));
+  const float c = std::max(error_of_change / plan.target_of_change, 0.f);
+  const float r = std::max(error / plan.target, c * std::sqrt(c));
+  return std::min(kMostOfPoint * plan.asked, plan.usual * r * std::max(1.f, r));
 }
 
 // The number of pairs of each of `others` points of kNone, once `planned` paths are those of all other
@@ -114,9 +114,8 @@ std::chrono::nanoseconds planPaths(const PathPlan& plan, const PathErrors& error
                            [&](int y) { planRow(plan, errors, frame, share, y, before, on, counts); });
   };
   auto time = planShare(1);
-  const float most = plan.asked * static_cast<float>(on.columns() / on.perPixel() * on.height());
-  if (const auto all = static_cast<float>(counts.planned); plan.most > plan.asked && all > most)
-    time += planShare(most / all);
+  const float most = plan.most * static_cast<float>(on.columns() / on.perPixel() * on.height());
+  if (const auto all = static_cast<float>(counts.planned); all > most) time += planShare(most / all);
   if (counts.others == 0) return std::ranges::fill(had_others, 0), time;
   const std::uint32_t paths = pathsForOthers(plan, on, counts.others, counts.planned);
   const std::uint32_t for_new = pathsForNew(plan, on, paths, counts.newly);

@@ -12,10 +12,10 @@
 namespace saccade {
 
 struct PathPlan {
-  float asked;         // paths per pixel: the mean over a picture of one point per pixel is no larger
-  float usual;         // of a pixel whose relative error is between `target` and twice that; in [0, asked]
-  float target;        // relative error below which a pixel gets fewer
-  float most = asked;  // of a point
+  float asked;                 // paths per pixel
+  float usual;                 // of a pixel whose relative error is `target`; in [0, asked]
+  float target;                // relative error
+  float most;                  // the mean over a picture of one point per pixel; in [usual, asked]
   float target_of_change = 1;  // as `target`, see PathErrors::change
 };
 
@@ -26,8 +26,9 @@ struct PathErrors {
   const ImageF* change = nullptr;  // of the change of light since the frame before; nullptr: there is none
 };
 
-// Sets SurfacePoint::paths. The more is known the fewer they are, and none where the light is baked. Paths
-// that are left over go to points of kNone. `frame` moves the rounding on.
+// Sets SurfacePoint::paths. The more is known the fewer they are, and none where the light is baked. Points
+// that are known badly get eight times those asked, as far as the mean allows. Paths that are left over go to
+// points of kNone. `frame` moves the rounding on.
 // Points of kNone get more in pixels that showed none in the frame before, and so have neither pairs nor a
 // history. `had_others` tells of each pixel whether it did; empty: there is no such frame. It becomes that of
 // this frame.

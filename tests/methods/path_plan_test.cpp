@@ -10,9 +10,8 @@ namespace saccade {
 namespace {
 
 constexpr int kW = 32, kH = 24;
-constexpr PathPlan kPlan{.asked = 8, .usual = 6, .target = 0.1f};
-
-constexpr PathPlan kMoving{.asked = 8, .usual = 6, .target = 0.1f, .most = 32, .target_of_change = 0.02f};
+constexpr PathPlan kPlan{.asked = 8, .usual = 6, .target = 0.1f, .most = 8};
+constexpr PathPlan kMoving{.asked = 8, .usual = 6, .target = 0.1f, .most = 8, .target_of_change = 0.02f};
 
 struct PathPlanTest : testing::Test {
   PathPlanTest() {
@@ -34,8 +33,7 @@ struct PathPlanTest : testing::Test {
 };
 
 TEST_F(PathPlanTest, TheBetterLightIsKnownTheFewerPaths) {
-  const std::pair<float, double> expected[]{{0, 0},     {0.01f, 0.6}, {0.05f, 3}, {0.1f, 6},
-                                            {0.15f, 6}, {0.24f, 7.2}, {1e18f, 8}};
+  const std::pair<float, double> expected[]{{0, 0}, {0.01f, 0.6}, {0.05f, 3}, {0.1f, 6}, {0.11f, 7.26}};
   for (const auto& [relative, paths] : expected) {
     error.fill(relative);
     plan();
@@ -43,14 +41,24 @@ TEST_F(PathPlanTest, TheBetterLightIsKnownTheFewerPaths) {
   }
 }
 
-// A change that is known badly takes more paths than light does, up to a bound of their own.
+TEST_F(PathPlanTest, WhatIsKnownBadlyGetsManyPaths) {
+  error.fill(0.05f);  // 3 paths
+  constexpr float kOfRow[] = {0.1f, 0.2f, 0.3f, 1e30f};
+  constexpr std::uint32_t kExpected[] = {6, 24, 54, 64};
+  for (int y = 0; y < 4; ++y) error.at(7, y) = kOfRow[y];
+  plan();
+  for (int y = 0; y < 4; ++y) EXPECT_EQ(on.at(7, y).paths, kExpected[y]) << y;
+  EXPECT_EQ(on.at(8, 0).paths, 3u);
+}
+
+// A change that is known badly takes more paths than light does.
 TEST_F(PathPlanTest, TheWorseAChangeIsKnownTheMorePaths) {
   error.fill(0.05f);  // 3 paths
   ImageF change(kW, kH);
   constexpr float kOfRow[] = {0, 0.5f, 1, 2, 9};  // over the error aimed at
-  for (int y = 0; y < 5; ++y) std::fill_n(change.row(y), kW, kOfRow[y] * kMoving.target_of_change);
+  for (int y = 0; y < 5; ++y) change.at(7, y) = kOfRow[y] * kMoving.target_of_change;
   planPaths(kMoving, {error, &change}, 0, pool, had_others, on);
-  constexpr std::uint32_t kExpected[] = {3, 3, 6, 24, 32};
+  constexpr std::uint32_t kExpected[] = {3, 3, 6, 48, 64};
   for (int y = 0; y < 5; ++y) EXPECT_EQ(on.at(7, y).paths, kExpected[y]) << y;
 }
 

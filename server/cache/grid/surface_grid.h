@@ -23,7 +23,7 @@ namespace saccade {
 
 struct GridParams {
   float cell_px = 1.4f;  // edge of the finest cells, pixels
-  BlendParams blend{.tau = 1, .noise = 0.23f, .noise_weight = 4};
+  BlendParams blend{.tau = 1, .noise = 0.23f, .noise_weight = 3};
   std::size_t max_vertices = 2'000'000;  // above it, the least recently used are evicted
   // Of cells of about two pixels.
   int pixelSlot() const;
