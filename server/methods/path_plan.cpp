@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 #include "base/hash_rng.h"
 
@@ -23,12 +22,14 @@ float ditherAt(int x, int y, std::uint32_t frame) {
   return toUnit(bits);
 }
 
-// Paths for the square of an error that is large. A change is small beside its noise in few places, and there
-// it takes many paths: those for the cube of its error.
-float wantedPaths(const PathPlan& plan, float error, float error_of_change) {
-  const float c = std::max(error_of_change / plan.target_of_change, 0.f);
-  const float r = std::max(error / plan.target, c * std::sqrt(c));
-  return std::min(kMostOfPoint * plan.asked, plan.usual * r * std::max(1.f, r));
+// An error that is large takes paths by its square. Where light depends on the view the error stays, whatever
+// the paths: it takes no more than those asked. A change is small beside its noise in few places, and there
+// it takes many paths: by the cube of its error.
+float wantedPaths(const PathPlan& plan, SurfaceKind kind, float error, float error_of_change) {
+  const float r = error / plan.target, c = error_of_change / plan.target_of_change;
+  const float of_light = plan.usual * r * std::max(1.f, r), of_change = plan.usual * c * c * c;
+  const float most_of_light = kind == SurfaceKind::kDiffuse ? kMostOfPoint * plan.asked : plan.asked;
+  return std::max(std::min(most_of_light, of_light), std::min(kMostOfPoint * plan.asked, of_change));
 }
 
 // The number of pairs of each of `others` points of kNone, once `planned` paths are those of all other
@@ -93,7 +94,7 @@ void planRow(const PathPlan& plan, const PathErrors& errors, std::uint32_t frame
     p.paths = 0;
     const float change = errors.change ? errors.change->at(column, y) : 0;
     if (const float e = errors.light.at(column, y); e > 0)
-      p.paths = static_cast<std::uint32_t>(share * p.share * wantedPaths(plan, e, change) +
+      p.paths = static_cast<std::uint32_t>(share * p.share * wantedPaths(plan, p.kind, e, change) +
                                            ditherAt(column, y, frame));
     p.paths = std::max(p.paths, leastPaths(on, column, y));
     planned += p.paths;

@@ -51,6 +51,16 @@ TEST_F(PathPlanTest, WhatIsKnownBadlyGetsManyPaths) {
   EXPECT_EQ(on.at(8, 0).paths, 3u);
 }
 
+// Their error does not fall, so that others would go without.
+TEST_F(PathPlanTest, PlasticsGetNoMoreThanAsked) {
+  error.fill(0.05f);
+  error.at(7, 0) = 0.11f, error.at(7, 1) = 1;
+  for (int y = 0; y < 2; ++y) on.at(7, y).kind = SurfaceKind::kMixed;
+  plan();
+  EXPECT_EQ(on.at(7, 0).paths, 7u);
+  EXPECT_EQ(on.at(7, 1).paths, 8u);
+}
+
 // A change that is known badly takes more paths than light does.
 TEST_F(PathPlanTest, TheWorseAChangeIsKnownTheMorePaths) {
   error.fill(0.05f);  // 3 paths
