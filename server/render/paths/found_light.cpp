@@ -20,7 +20,7 @@ template <int C>
 bool endsAtKnownLight(const Tracing& t, const SecondVertex& v, const PathSampler& sampler, std::uint32_t slot,
                       Color<C>& throughput, PathResults<C>& results) {
   constexpr float kLeastAlbedo = 1e-3f;
-  constexpr float kPartThatGoesOn = 1.f / 16;  // of the paths, so that light is known better
+  constexpr float kPartThatGoesOn = 1.f / 8;  // of the paths, so that light is known better
   // Of a cell's edge. Single cells would show where they are near, and in directions like a mirror's.
   constexpr float kLeastCone = RayCone::kDiffuseSpread;
   if (!t.known.grid || std::min({v.albedo.x, v.albedo.y, v.albedo.z}) < kLeastAlbedo) return false;

@@ -32,7 +32,7 @@ float rayVariance(const FrameRays& of, const RayRequest& request, int rays) {
 }  // namespace
 
 int LampShadows::raysOf(RayNeed need, int spp) {
-  constexpr std::array<int, 3> kRaysPerPath = {4, 6, 16};
+  constexpr std::array<int, 3> kRaysPerPath = {5, 6, 16};
   return std::clamp(kRaysPerPath[need] * spp, kFew, kMost);
 }
 
