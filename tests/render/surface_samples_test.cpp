@@ -129,7 +129,7 @@ TEST(SurfaceSamples, EndedPathsFindTheSameLight) {
     if (seed >= kLearning) all += without, ended += with;
     if (seed == 0) kept_at_first = kept;
   }
-  EXPECT_LT(kept, kept_at_first / 2);
+  EXPECT_LT(kept, 3 * kept_at_first / 4);  // one path in eight goes on, and a pixel has 16
   EXPECT_NEAR(ended, all, 0.01 * all);
 }
 
