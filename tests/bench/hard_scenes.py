@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SIZE = ["--size", "64x48"]
-CELL = [*SIZE, "--motions", "right", "--speeds", "0.67", "--frames", "20:21", "--repeats", "1", "--reference", "512",
+CELL = [*SIZE, "--motions", "right", "--speeds", "0.67", "--frames", "20:21", "--repeats", "4", "--reference", "1024",
         "--baselines", "event_svgf@2,svgf@2", "--candidates", "irradiance_cache@2,irradiance_cache@8,irradiance_cache@32"]
 FEW, MANY = 64, 16384  # paths per pixel of a picture, and of its reference
 
