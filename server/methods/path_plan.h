@@ -14,7 +14,7 @@ namespace saccade {
 struct PathPlan {
   float asked;                 // paths per pixel
   float usual;                 // of a pixel whose relative error is `target`; in [0, asked]
-  float target;                // relative error
+  float target;                // relative error that is aimed at
   float most;                  // the mean over a picture of one point per pixel; in [usual, asked]
   float target_of_change = 1;  // as `target`, see PathErrors::change
 };
