@@ -21,6 +21,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path += [str(HERE), str(HERE.parent / "statistical")]  # Blender looks elsewhere
 from gltf_in_cycles import inside_blender, prepare_cycles, render_in_blender, run_blender
+from motion_in_cycles import luminance
 
 ROOT = HERE.parents[1]
 A_FEW = 8  # the part of the paths that tells what a start takes
@@ -64,9 +65,7 @@ class Saccade:
 
 
 def variance_and_mean(pictures):
-    import OpenImageIO
-
-    of = [OpenImageIO.ImageBuf(str(p)).get_pixels()[:, :, :3] @ [0.2126, 0.7152, 0.0722] for p in pictures]
+    of = [luminance(p) for p in pictures]
     return ((of[0] - of[1]) ** 2).mean() / 2, (of[0] + of[1]).mean() / 2
 
 
@@ -108,6 +107,8 @@ def main():
     p.add_argument("--bounces", type=int, default=3)
     p.add_argument("--rounds", type=int, default=3)
     a = p.parse_args()
+    if a.rounds < 2:
+        p.error("--rounds: a variance needs two seeds at least")
     a.folder.mkdir(parents=True, exist_ok=True)
     measure(a)
 
